@@ -1,0 +1,22 @@
+# brdf_embed(<target> <namespace> <name> <file>...): compiles text files into <target>.
+#
+# Makes `<name>.h`, which declares, and `<name>.cpp`, which defines,
+#   namespace <namespace> { std::span<const EmbeddedFile> <name>(); }
+# with one EmbeddedFile {name, text} for each file, in the order given; `name` is the file's name without its folder.
+function (brdf_embed target namespace name)
+  set(header "${CMAKE_CURRENT_BINARY_DIR}/${name}.h")
+  set(source "${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp")
+  set(files "")
+  foreach (file IN LISTS ARGN)
+    get_filename_component(path "${file}" ABSOLUTE)
+    list(APPEND files "${path}")
+  endforeach ()
+  add_custom_command(
+    OUTPUT "${header}" "${source}"
+    COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DNAMESPACE=${namespace} -DNAME=${name} "-DHEADER=${header}"
+            "-DSOURCE=${source}" -P "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
+    DEPENDS ${files} "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
+    VERBATIM)
+  target_sources(${target} PRIVATE "${header}" "${source}")
+  target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
+endfunction ()
