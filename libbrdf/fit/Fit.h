@@ -1,0 +1,109 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/material/LobeSum.h>
+
+#include <atomic>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace brdf {
+
+/// A lobe to be fitted: which model, which parameters are held.
+struct LobeRequest {
+  ModelPointer model;
+  std::map<std::string, double> fixed;  ///< parameter name -> value that the fit does not move
+  std::map<std::string, double> start;  ///< parameter name -> starting value; defaults otherwise
+};
+
+enum class Strategy {
+  Automatic,  ///< Separable where the metric allows it, else Joint
+  Separable,  ///< scale factors by non-negative linear least squares inside the loop over shape parameters
+  Joint       ///< scale factors are parameters like the others
+};
+
+enum class Combination {
+  Shared,     ///< one shape for all channels, one scale factor a channel
+  PerChannel  ///< every channel has its own shape and scale
+};
+
+/// Which channels of the target are fitted.
+struct FitChannels {
+  enum class Kind { Native, Luminance, Rgb, List } kind = Kind::Native;
+  std::vector<std::size_t> list;  ///< indices of the target's channels, for List
+};
+
+struct FitOptions {
+  std::string metric = "rms";    ///< name in metricNames()
+  std::string optimizer = "lm";  ///< name in optimizerNames()
+  Strategy strategy = Strategy::Automatic;
+  Combination combination = Combination::Shared;
+  FitChannels channels;
+  double maximumTheta = 90;       ///< degrees; samples with theta_i or theta_o above are left out
+  double tolerance = 1e-8;        ///< relative: stop when a step lowers the squared error by less, or moves less
+  std::size_t maximumIterations = 200;
+  std::size_t starts = 0;         ///< extra random starts (Latin hypercube over the soft bounds)
+  std::uint64_t seed = 1;
+  bool scan = true;               ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
+  /// Called after each iteration with the error so far; return false to stop with the best so far.
+  std::function<bool(std::size_t iteration, double error)> progress;
+};
+
+/// One fitted number.
+struct FittedParameter {
+  std::string name;     ///< "alpha", or "scale" for a lobe's factor
+  std::string lobe;     ///< model name
+  std::size_t lobeIndex = 0;
+  std::optional<std::size_t> channel;  ///< empty: shared by all channels
+  double value = 0;
+  std::optional<double> standardError;  ///< empty where it is not determined (on a bound, or rank deficient)
+  double minimum = 0, maximum = 0;
+  bool fixed = false;
+  bool atBound = false;
+};
+
+struct FitReport {
+  std::shared_ptr<const LobeSum> material;  ///< the fit
+  std::string metric;
+  std::string optimizer;
+  std::string strategy;
+  double error = 0;                      ///< in the metric asked for
+  std::map<std::string, double> metrics;    ///< by every metric
+  std::map<std::string, double> zeroModel;  ///< the same for the model that answers 0
+  double seconds = 0;
+  std::size_t evaluations = 0;  ///< passes over the samples
+  std::size_t iterations = 0;
+  std::size_t samples = 0;      ///< samples used
+  std::size_t channels = 0;
+  bool converged = false;
+  std::string termination;  ///< the reason, in words
+  std::vector<FittedParameter> parameters;
+  std::vector<std::string> notes;  ///< what a user should know: rank deficiency, parameters at bounds, weak lobes
+};
+
+/// Fits a sum of lobes to a target that has samples (target.samples()). Throws Error::Kind::Value for an unknown
+/// metric or optimizer, a combination that cannot be, or a target without valid samples.
+BRDF_EXPORT FitReport fit(const Brdf& target, const std::vector<LobeRequest>& lobes, const FitOptions& options);
+
+BRDF_EXPORT std::vector<std::string> metricNames();
+BRDF_EXPORT std::vector<std::string> optimizerNames();
+
+/// Differences between two BRDFs by every metric (means over samples and channels, unweighted), on b's samples when b
+/// has any, else on a's, else on a quadrature of the hemisphere pairs; `zeroModel` is b against 0.
+struct Comparison {
+  std::map<std::string, double> metrics;
+  std::map<std::string, double> zeroModel;
+  std::size_t samples = 0;
+  std::size_t channels = 0;
+  std::string sampling;  ///< where the samples come from, in words
+};
+BRDF_EXPORT Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta = 90);
+
+/// The target seen through other channels: luminance (one channel), rgb, or a list of the target's own.
+/// Luminance of spectral data is sum(f ybar) / sum(ybar) over its wavelengths (equal energy, CIE 1931 2-degree);
+/// of RGB data 0.2126 R + 0.7152 G + 0.0722 B. Keeps the target's samples.
+BRDF_EXPORT BrdfPointer selectChannels(BrdfPointer target, const FitChannels& channels);
+
+}  // namespace brdf

@@ -1,0 +1,27 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/geometry/DirectionPairs.h>
+#include <brdf/material/Channels.h>
+
+#include <cstdint>
+
+namespace brdf {
+
+/// The samples of measured data in their own order: scattered points, or the cells of a table. Read block by block, so
+/// that a table's directions are made on the fly and never stored. Safe to read from several threads.
+class BRDF_EXPORT SampleSet {
+ public:
+  virtual ~SampleSet();
+
+  virtual std::size_t count() const = 0;
+  virtual const Channels& channels() const = 0;
+
+  /// Samples first .. first + length - 1 into the buffers (each any of them null to leave out):
+  /// `pairs` is resized to `length`; `values` is planar, channel c of sample i at `values[c * length + i]`;
+  /// `valid[i]` is 1 where the sample is a measurement: finite, not marked invalid, both directions above the horizon.
+  /// The values of an invalid sample are 0.
+  virtual void read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs, double* values,
+                    std::uint8_t* valid) const = 0;
+};
+
+}  // namespace brdf

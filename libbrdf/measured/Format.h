@@ -1,0 +1,69 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/material/Brdf.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brdf {
+
+/// What a reader noticed and assumed; shown by `brdf info`, stored as provenance.
+struct ReadReport {
+  std::string format;         ///< name of the format that read it, e.g. "merl"
+  std::string source;         ///< path as given
+  std::uint64_t samples = 0;  ///< samples or cells in the file
+  std::uint64_t invalid = 0;  ///< of those: marked invalid, or not usable
+  std::uint64_t negative = 0;
+  std::uint64_t notFinite = 0;
+  std::uint64_t belowHorizon = 0;            ///< of the invalid: directions below the horizon
+  std::vector<std::string> assumptions;      ///< one sentence each: quantity, units, symmetry, colour, interpolation
+  std::vector<std::string> warnings;         ///< one sentence each
+  std::map<std::string, std::string> metadata;  ///< what the file says of itself
+};
+
+struct ReadResult {
+  BrdfPointer brdf;
+  ReadReport report;
+};
+
+/// What a writer lost.
+struct WriteReport {
+  std::vector<std::string> losses;  ///< one sentence each: spectrum, anisotropy, validity, resolution
+};
+
+/// A file format of measured (or tabulated) BRDFs: one record in the registry, one pair of files in measured/.
+struct Format {
+  std::string name;         ///< short, lower case: "merl"
+  std::string title;        ///< "MERL BRDF database, binary"
+  std::string extension;    ///< for writing, with the dot: ".binary"
+  /// How sure the format is that `head` (the first kilobytes of a file of `size` bytes) is its own: 0 no, 100 certain
+  /// (a magic number). The highest wins; extensions never decide.
+  std::function<int(std::string_view head, std::uint64_t size)> recognise;
+  /// Reads the file's bytes. Throws Error::Kind::Format with offset or line. `path` is for messages only.
+  std::function<ReadResult(std::string_view bytes, const std::filesystem::path& path)> read;
+  /// Writes any BRDF, resampling where needed; null when the format is read-only. Writes to `path` as given (the caller
+  /// passes AtomicFile's temporary).
+  std::function<WriteReport(const Brdf& brdf, const std::filesystem::path& path)> write;
+};
+
+/// All formats; ours first, then those registered from outside.
+BRDF_EXPORT std::span<const Format> allFormats();
+/// Adds a format; replaces one of the same name.
+BRDF_EXPORT void registerFormat(Format format);
+/// The format called `name`, or throws Error::Kind::Value with the allowed names.
+BRDF_EXPORT const Format& findFormat(std::string_view name);
+
+/// Reads a measured file of any registered format, recognised by content. Throws Error::Kind::Format when no format
+/// recognises it.
+BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path);
+
+/// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`.
+BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format = {});
+
+}  // namespace brdf

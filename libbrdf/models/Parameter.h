@@ -1,0 +1,34 @@
+#pragma once
+#include <string>
+#include <vector>
+
+namespace brdf {
+
+/// One parameter of a model: a record that fitting, sliders, the command line and the documentation all read.
+struct Parameter {
+  enum class Scale { Linear, Logarithmic };
+
+  std::string name;         ///< identifier in the equation and in material expressions, e.g. "alpha"
+  std::string label;        ///< a few words for user interfaces, e.g. "roughness"
+  std::string symbol;       ///< as the paper writes it
+  std::string unit;         ///< "1" for a pure number, else "rad", "um", ...
+  std::string description;  ///< one sentence
+  double defaultValue = 0;
+  double minimum = 0;      ///< hard bounds, inclusive: the model is finite and non-negative everywhere inside
+  double maximum = 1;
+  double softMinimum = 0;  ///< the range in which real materials lie: sliders and multi-start use it
+  double softMaximum = 1;
+  Scale scale = Scale::Linear;  ///< Logarithmic: positive, fitted and scanned in the logarithm
+};
+
+/// Where a formula comes from.
+struct Reference {
+  std::string authors;
+  int year = 0;
+  std::string title;
+  std::string venue;
+  std::string doi;
+  std::string equations;  ///< equation numbers used, e.g. "(33), (34)"
+};
+
+}  // namespace brdf
