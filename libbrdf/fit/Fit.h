@@ -14,8 +14,9 @@ namespace brdf {
 /// A lobe to be fitted: which model, which parameters are held.
 struct LobeRequest {
   ModelPointer model;
-  std::map<std::string, double> fixed;  ///< parameter name -> value that the fit does not move
+  std::map<std::string, double> fixed;  ///< parameter name -> value that the fit does not move; "scale" is a name too
   std::map<std::string, double> start;  ///< parameter name -> starting value; defaults otherwise
+  std::map<std::string, std::string> tied;  ///< parameter name -> parameter of the same lobe that it stays equal to
 };
 
 enum class Strategy {
@@ -41,20 +42,20 @@ struct FitOptions {
   Strategy strategy = Strategy::Automatic;
   Combination combination = Combination::Shared;
   FitChannels channels;
-  double maximumTheta = 90;       ///< degrees; samples with theta_i or theta_o above are left out
-  double tolerance = 1e-8;        ///< relative: stop when a step lowers the squared error by less, or moves less
+  double maximumTheta = 90;  ///< degrees; samples with theta_i or theta_o above are left out
+  double tolerance = 1e-8;   ///< relative: stop when a step lowers the squared error by less, or moves less
   std::size_t maximumIterations = 200;
-  std::size_t starts = 0;         ///< extra random starts (Latin hypercube over the soft bounds)
+  std::size_t starts = 0;  ///< extra random starts (Latin hypercube over the soft bounds)
   std::uint64_t seed = 1;
-  bool scan = true;               ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
+  bool scan = true;  ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
   /// Called after each iteration with the error so far; return false to stop with the best so far.
   std::function<bool(std::size_t iteration, double error)> progress;
 };
 
 /// One fitted number.
 struct FittedParameter {
-  std::string name;     ///< "alpha", or "scale" for a lobe's factor
-  std::string lobe;     ///< model name
+  std::string name;  ///< "alpha", or "scale" for a lobe's factor
+  std::string lobe;  ///< model name
   std::size_t lobeIndex = 0;
   std::optional<std::size_t> channel;  ///< empty: shared by all channels
   double value = 0;
@@ -69,13 +70,13 @@ struct FitReport {
   std::string metric;
   std::string optimizer;
   std::string strategy;
-  double error = 0;                      ///< in the metric asked for
+  double error = 0;                         ///< in the metric asked for
   std::map<std::string, double> metrics;    ///< by every metric
   std::map<std::string, double> zeroModel;  ///< the same for the model that answers 0
   double seconds = 0;
   std::size_t evaluations = 0;  ///< passes over the samples
   std::size_t iterations = 0;
-  std::size_t samples = 0;      ///< samples used
+  std::size_t samples = 0;  ///< samples used
   std::size_t channels = 0;
   bool converged = false;
   std::string termination;  ///< the reason, in words

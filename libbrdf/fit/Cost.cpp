@@ -1,0 +1,316 @@
+#include <brdf/base/Parallel.h>
+#include <brdf/fit/BoxQuadratic.h>
+#include <brdf/fit/Cost.h>
+#include <brdf/fit/Gram.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace brdf {
+namespace {
+
+// Samples evaluated at a time: the columns of a few lobes stay in the first-level cache.
+constexpr std::size_t kBlock = 512;
+
+double zeroError(const FitData& data, ChannelRange channels) {
+  double sum = 0;
+  for (const FitChunk& chunk : data.chunks) {
+    const std::size_t count = chunk.pairs.size();
+    double part = 0;
+    for (std::size_t c = channels.first; c < channels.first + channels.count; ++c)
+      addProducts(chunk.target.data() + c * count, 1, chunk.target.data() + c * count, count, &part);
+    sum += part;
+  }
+  return sum;
+}
+
+/// Runs body(chunk, sums of that chunk) on all chunks in parallel and adds the sums in the chunks' order.
+template <class Body>
+std::vector<double> sumOverChunks(const FitData& data, std::size_t size, const Body& body) {
+  std::vector<std::vector<double>> parts(data.chunks.size());
+  parallelFor(data.chunks.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      parts[k].assign(size, 0.0);
+      body(data.chunks[k], parts[k].data());
+    }
+  });
+  std::vector<double> total(size, 0.0);
+  for (const std::vector<double>& part : parts)
+    for (std::size_t i = 0; i < size; ++i) total[i] += part[i];
+  return total;
+}
+
+void mirrorUpper(double* matrix, std::size_t n) {
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < i; ++j) matrix[i * n + j] = matrix[j * n + i];
+}
+
+}  // namespace
+
+Scales initialScales(const FitProblem& problem, std::size_t channels) {
+  Scales scales(channels * problem.lobeCount());
+  for (std::size_t i = 0; i < scales.size(); ++i) scales[i] = problem.fixedScale(i % problem.lobeCount()).value_or(0);
+  return scales;
+}
+
+// ----- separable --------------------------------------------------------------------------------------------------
+
+/// Sums over the samples of products of the columns [lobes, derivatives] among themselves (`gram`, full, m x m) and
+/// with each channel's residual at the reference scales (`cross`, channel by channel, m each), and of the residual
+/// squared.
+struct SeparableCost::Sums {
+  std::size_t m = 0;
+  std::vector<double> all;
+  double* gram() { return all.data(); }
+  const double* gram() const { return all.data(); }
+  const double* cross(std::size_t channel) const { return all.data() + m * m + channel * m; }
+  double squared(std::size_t channel, std::size_t channels) const { return all[m * m + channels * m + channel]; }
+};
+
+SeparableCost::SeparableCost(const FitProblem& problem, const FitData& data, ChannelRange channels)
+    : problem_(problem),
+      data_(data),
+      channels_(channels),
+      zeroError_(zeroError(data, channels)),
+      scales_(initialScales(problem, channels.count)),
+      bestScales_(scales_) {}
+
+SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool derivatives) const {
+  const std::size_t lobes = problem_.lobeCount(), channels = channels_.count;
+  const std::size_t m = lobes + (derivatives ? problem_.coordinates().size() : 0);
+  const std::vector<std::vector<double>> parameters = problem_.parameters(x);
+  Sums sums;
+  sums.m = m;
+  sums.all = sumOverChunks(data_, m * m + channels * (m + 1), [&](const FitChunk& chunk, double* out) {
+    const std::size_t total = chunk.pairs.size();
+    std::vector<double> columns(m * kBlock), scratch, weight(kBlock), residual(kBlock);
+    const DirectionPairs<double> pairs = chunk.pairs.view();
+    for (std::size_t first = 0; first < total; first += kBlock) {
+      const std::size_t count = std::min(kBlock, total - first);
+      const DirectionPairs<double> block = pairs.slice(first, count);
+      problem_.evaluate(block, parameters, derivatives, scratch, columns.data());
+      data_.metric->derivative(columns.data(), block.wi[2], count, weight.data());
+      for (std::size_t k = 0; k < m; ++k)
+        for (std::size_t i = 0; i < count; ++i) columns[k * count + i] *= weight[i];
+      addGram(columns.data(), m, count, out);
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
+        for (std::size_t i = 0; i < count; ++i) residual[i] = -target[i];
+        for (std::size_t l = 0; l < lobes; ++l)
+          if (const double scale = scales_[c * lobes + l]; scale != 0)
+            for (std::size_t i = 0; i < count; ++i) residual[i] += scale * columns[l * count + i];
+        addProducts(columns.data(), m, residual.data(), count, out + m * m + c * m);
+        addProducts(residual.data(), 1, residual.data(), count, out + m * m + channels * m + c);
+      }
+    }
+  });
+  mirrorUpper(sums.gram(), m);
+  return sums;
+}
+
+NormalEquations SeparableCost::project(const Sums& sums, bool derivatives) {
+  const std::size_t lobes = problem_.lobeCount(), m = sums.m, shapes = derivatives ? m - lobes : 0;
+  const double* gram = sums.gram();
+  NormalEquations equations;
+  equations.gradient.assign(shapes, 0.0);
+  equations.matrix.assign(shapes * shapes, 0.0);
+  std::vector<double> a(lobes * lobes), b(lobes), lower(lobes), upper(lobes);
+  std::vector<double> residualProducts(shapes), reduced(shapes * lobes);
+  for (std::size_t c = 0; c < channels_.count; ++c) {
+    const double* cross = sums.cross(c);
+    double* scale = scales_.data() + c * lobes;
+    for (std::size_t l = 0; l < lobes; ++l) {
+      for (std::size_t k = 0; k < lobes; ++k) a[l * lobes + k] = gram[l * m + k];
+      b[l] = -cross[l];
+      const bool held = problem_.fixedScale(l).has_value();
+      lower[l] = held ? 0 : -scale[l];
+      upper[l] = held ? 0 : std::numeric_limits<double>::infinity();
+    }
+    const std::vector<double> change = minimizeInBox(a, b, lower, upper);
+    double squared = sums.squared(c, channels_.count);
+    std::vector<std::size_t> freeLobes;
+    for (std::size_t l = 0; l < lobes; ++l) {
+      double row = 2 * cross[l];
+      for (std::size_t k = 0; k < lobes; ++k) row += a[l * lobes + k] * change[k];
+      squared += row * change[l];
+      scale[l] = std::max(0.0, scale[l] + change[l]);
+      if (scale[l] > 0 && upper[l] > 0) freeLobes.push_back(l);
+    }
+    equations.squaredError += std::max(0.0, squared);
+    if (shapes == 0) continue;
+
+    // With D_i the derivative columns, r the residual and F the free lobes (Golub and Pereyra 1973, eq. 5.4):
+    // J_i = s_i P D_i + F (F'F)^-1 e_i (D_i'r), the two parts orthogonal, P the projector off F.
+    const std::size_t free = freeLobes.size();
+    std::vector<double> freeGram(free * free);
+    for (std::size_t p = 0; p < free; ++p)
+      for (std::size_t q = 0; q < free; ++q) freeGram[p * free + q] = gram[freeLobes[p] * m + freeLobes[q]];
+    const std::vector<double> inverse = pseudoInverse(freeGram, free);
+    for (std::size_t i = 0; i < shapes; ++i) {
+      residualProducts[i] = cross[lobes + i];
+      for (std::size_t l = 0; l < lobes; ++l) residualProducts[i] += gram[(lobes + i) * m + l] * change[l];
+      for (std::size_t p = 0; p < free; ++p) {
+        reduced[i * free + p] = 0;
+        for (std::size_t q = 0; q < free; ++q)
+          reduced[i * free + p] += inverse[p * free + q] * gram[(lobes + i) * m + freeLobes[q]];
+      }
+    }
+    for (std::size_t i = 0; i < shapes; ++i) {
+      const std::size_t lobeI = problem_.coordinates()[i].lobe;
+      equations.gradient[i] += scale[lobeI] * residualProducts[i];
+      for (std::size_t j = 0; j < shapes; ++j) {
+        const std::size_t lobeJ = problem_.coordinates()[j].lobe;
+        double projected = gram[(lobes + i) * m + lobes + j];
+        for (std::size_t p = 0; p < free; ++p)
+          projected -= reduced[i * free + p] * gram[(lobes + j) * m + freeLobes[p]];
+        double entry = scale[lobeI] * scale[lobeJ] * projected;
+        const auto p = std::ranges::find(freeLobes, lobeI), q = std::ranges::find(freeLobes, lobeJ);
+        if (p != freeLobes.end() && q != freeLobes.end())
+          entry += residualProducts[i] * residualProducts[j] *
+                   inverse[static_cast<std::size_t>(p - freeLobes.begin()) * free +
+                           static_cast<std::size_t>(q - freeLobes.begin())];
+        equations.matrix[i * shapes + j] += entry;
+      }
+    }
+  }
+  return equations;
+}
+
+NormalEquations SeparableCost::evaluate(std::span<const double> x, bool derivatives) {
+  // Two passes where the scales move so far that the residual is what is left of a difference of large numbers.
+  constexpr double kCancellation = 1e-6;
+  for (int pass = 0;; ++pass) {
+    const Sums sums = accumulate(x, derivatives);
+    double before = 0;
+    for (std::size_t c = 0; c < channels_.count; ++c) before += sums.squared(c, channels_.count);
+    if (!std::isfinite(before) || !std::ranges::all_of(sums.all, [](double v) { return std::isfinite(v); })) {
+      // Scales that a useless trial spoiled are not carried on.
+      scales_ = initialScales(problem_, channels_.count);
+      if (pass > 0 || before == zeroError_) {
+        NormalEquations none;
+        none.squaredError = std::numeric_limits<double>::infinity();
+        return none;
+      }
+      continue;
+    }
+    NormalEquations equations = project(sums, derivatives);
+    if (pass == 0 && equations.squaredError < kCancellation * before) continue;
+    if (equations.squaredError < bestError_) {
+      bestError_ = equations.squaredError;
+      bestScales_ = scales_;
+    }
+    return equations;
+  }
+}
+
+double SeparableCost::squaredError(std::span<const double> x) { return evaluate(x, false).squaredError; }
+NormalEquations SeparableCost::normalEquations(std::span<const double> x) { return evaluate(x, true); }
+
+// ----- joint ------------------------------------------------------------------------------------------------------
+
+JointCost::JointCost(const FitProblem& problem, const FitData& data, ChannelRange channels)
+    : problem_(problem),
+      data_(data),
+      channels_(channels),
+      zeroError_(zeroError(data, channels)),
+      lower_(problem.lower()),
+      upper_(problem.upper()) {
+  for (std::size_t c = 0; c < channels.count; ++c)
+    for (std::size_t l = 0; l < problem.lobeCount(); ++l)
+      if (!problem.fixedScale(l)) freeScales_.emplace_back(l, c);
+  lower_.resize(lower_.size() + freeScales_.size(), 0.0);
+  upper_.resize(lower_.size(), std::numeric_limits<double>::infinity());
+}
+
+std::vector<double> JointCost::join(std::span<const double> shape, const Scales& scales) const {
+  std::vector<double> x(shape.begin(), shape.end());
+  for (const auto& [lobe, channel] : freeScales_) x.push_back(scales[channel * problem_.lobeCount() + lobe]);
+  return x;
+}
+
+Scales JointCost::scalesOf(std::span<const double> x) const {
+  Scales scales = initialScales(problem_, channels_.count);
+  const std::size_t shapes = problem_.coordinates().size();
+  for (std::size_t k = 0; k < freeScales_.size(); ++k)
+    scales[freeScales_[k].second * problem_.lobeCount() + freeScales_[k].first] = x[shapes + k];
+  return scales;
+}
+
+double JointCost::squaredError(std::span<const double> x) {
+  const std::size_t lobes = problem_.lobeCount();
+  const Scales scales = scalesOf(x);
+  const auto parameters = problem_.parameters(x.first(problem_.coordinates().size()));
+  return sumOverChunks(data_, 1, [&](const FitChunk& chunk, double* out) {
+    const std::size_t total = chunk.pairs.size();
+    std::vector<double> columns(lobes * kBlock), scratch, model(kBlock), residual(kBlock);
+    for (std::size_t first = 0; first < total; first += kBlock) {
+      const std::size_t count = std::min(kBlock, total - first);
+      const DirectionPairs<double> block = chunk.pairs.view().slice(first, count);
+      problem_.evaluate(block, parameters, false, scratch, columns.data());
+      for (std::size_t c = 0; c < channels_.count; ++c) {
+        std::fill_n(model.data(), count, 0.0);
+        for (std::size_t l = 0; l < lobes; ++l)
+          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
+        data_.metric->transform(model.data(), block.wi[2], count, residual.data());
+        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
+        for (std::size_t i = 0; i < count; ++i) residual[i] -= target[i];
+        addProducts(residual.data(), 1, residual.data(), count, out);
+      }
+    }
+  })[0];
+}
+
+NormalEquations JointCost::normalEquations(std::span<const double> x) {
+  const std::size_t lobes = problem_.lobeCount(), shapes = problem_.coordinates().size();
+  const std::size_t m = lobes + shapes + 1, n = lower_.size();  // columns of one channel, the residual last
+  const Scales scales = scalesOf(x);
+  const auto parameters = problem_.parameters(x.first(shapes));
+  std::vector<double> sums = sumOverChunks(data_, channels_.count * m * m, [&](const FitChunk& chunk, double* out) {
+    const std::size_t total = chunk.pairs.size();
+    std::vector<double> columns((m - 1) * kBlock), scratch, model(kBlock), slope(kBlock), own(m * kBlock);
+    for (std::size_t first = 0; first < total; first += kBlock) {
+      const std::size_t count = std::min(kBlock, total - first);
+      const DirectionPairs<double> block = chunk.pairs.view().slice(first, count);
+      problem_.evaluate(block, parameters, true, scratch, columns.data());
+      for (std::size_t c = 0; c < channels_.count; ++c) {
+        std::fill_n(model.data(), count, 0.0);
+        for (std::size_t l = 0; l < lobes; ++l)
+          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
+        data_.metric->derivative(model.data(), block.wi[2], count, slope.data());
+        double* residual = own.data() + (m - 1) * count;
+        data_.metric->transform(model.data(), block.wi[2], count, residual);
+        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
+        for (std::size_t i = 0; i < count; ++i) residual[i] -= target[i];
+        for (std::size_t k = 0; k + 1 < m; ++k) {
+          const double factor = k < lobes ? 1.0 : scales[c * lobes + problem_.coordinates()[k - lobes].lobe];
+          for (std::size_t i = 0; i < count; ++i) own[k * count + i] = factor * slope[i] * columns[k * count + i];
+        }
+        addGram(own.data(), m, count, out + c * m * m);
+      }
+    }
+  });
+
+  NormalEquations equations;
+  equations.gradient.assign(n, 0.0);
+  equations.matrix.assign(n * n, 0.0);
+  // Where column k of a channel's sums lies in x; the scale factors of a channel follow those of the one before.
+  std::vector<std::size_t> place(m - 1);
+  std::size_t nextScale = shapes;
+  for (std::size_t c = 0; c < channels_.count; ++c) {
+    double* gram = sums.data() + c * m * m;
+    mirrorUpper(gram, m);
+    for (std::size_t l = 0; l < lobes; ++l) place[l] = problem_.fixedScale(l) ? n : nextScale++;
+    for (std::size_t k = 0; k < shapes; ++k) place[lobes + k] = k;
+    equations.squaredError += gram[m * m - 1];
+    for (std::size_t i = 0; i + 1 < m; ++i) {
+      if (place[i] == n) continue;
+      equations.gradient[place[i]] += gram[i * m + m - 1];
+      for (std::size_t j = 0; j + 1 < m; ++j)
+        if (place[j] != n) equations.matrix[place[i] * n + place[j]] += gram[i * m + j];
+    }
+  }
+  return equations;
+}
+
+}  // namespace brdf

@@ -1,0 +1,74 @@
+#pragma once
+#include <brdf/fit/Fit.h>
+#include <brdf/geometry/DirectionPairs.h>
+
+#include <string>
+#include <vector>
+
+namespace brdf {
+
+/// One coordinate of the search over shapes: a free parameter of a lobe, or several of one lobe tied together, in its
+/// logarithm where its scale is logarithmic.
+struct ShapeCoordinate {
+  std::size_t lobe = 0;
+  std::vector<std::size_t> parameters;  ///< indices in the model; the first gives the coordinate its name
+  bool logarithmic = false;
+  double lower = 0, upper = 0;          ///< hard bounds, in the coordinate
+  double softLower = 0, softUpper = 0;  ///< where real materials lie, in the coordinate
+  double start = 0;
+
+  double toCoordinate(double value) const;
+  double toValue(double x) const;
+  /// d(parameter) / d(coordinate) at a parameter's value.
+  double slope(double value) const { return logarithmic ? value : 1.0; }
+};
+
+/// A sum of lobes to be fitted, as a function of shape coordinates: which parameters move, in what coordinates and
+/// bounds, and the batched evaluation of every lobe with its derivatives.
+class FitProblem {
+ public:
+  /// Throws Error::Kind::Value for an unknown parameter, a value out of bounds, or a tie that cannot be. On an
+  /// isotropic target, parameters of an anisotropic lobe that differ only by a quarter turn of the surface (found by
+  /// evaluating the model) are tied: the data cannot tell them apart.
+  FitProblem(const std::vector<LobeRequest>& lobes, Symmetry targetSymmetry);
+
+  std::size_t lobeCount() const { return lobes_.size(); }
+  const Model& model(std::size_t lobe) const { return *lobes_[lobe].model; }
+  ModelPointer modelPointer(std::size_t lobe) const { return lobes_[lobe].model; }
+  /// The lobe's scale factor where the request holds it fixed, else empty.
+  std::optional<double> fixedScale(std::size_t lobe) const { return lobes_[lobe].fixedScale; }
+  bool isFixed(std::size_t lobe, std::size_t parameter) const { return lobes_[lobe].fixed[parameter]; }
+
+  const std::vector<ShapeCoordinate>& coordinates() const { return coordinates_; }
+  std::vector<double> start() const;
+  const std::vector<double>& lower() const { return lower_; }
+  const std::vector<double>& upper() const { return upper_; }
+  /// Sentences on what was tied, for the report.
+  const std::vector<std::string>& notes() const { return notes_; }
+
+  /// The parameters of every lobe at shape coordinates x.
+  std::vector<std::vector<double>> parameters(std::span<const double> x) const;
+
+  /// Values of all lobes for a batch, planar in `columns`: lobe l at columns[l * count + i]; with `derivatives` the
+  /// derivative with respect to coordinate k follows at columns[(lobeCount() + k) * count + i]. `scratch` is reused
+  /// between calls.
+  void evaluate(const DirectionPairs<double>& pairs, const std::vector<std::vector<double>>& parameters,
+                bool derivatives, std::vector<double>& scratch, double* columns) const;
+
+ private:
+  struct FitLobe {
+    ModelPointer model;
+    std::vector<double> base;  ///< parameter values where no coordinate moves them
+    std::vector<bool> fixed;
+    std::optional<double> fixedScale;
+    std::vector<std::size_t> which;       ///< parameters whose derivatives are needed
+    std::vector<std::size_t> coordinate;  ///< for each entry of `which`: the coordinate that moves it
+  };
+
+  std::vector<FitLobe> lobes_;
+  std::vector<ShapeCoordinate> coordinates_;
+  std::vector<double> lower_, upper_;
+  std::vector<std::string> notes_;
+};
+
+}  // namespace brdf

@@ -1,0 +1,33 @@
+#pragma once
+#include <brdf/fit/Cost.h>
+
+#include <vector>
+
+namespace brdf {
+
+/// The scale factors that minimise one channel's error at a given shape, in the metric itself: non-negative linear
+/// least squares where it is quadratic, else Gauss-Newton from the better of two linear solutions. `columns`: values of
+/// the lobes (1/sr) at the samples of one chunk; `scales`: in, the lobes held (see `held`); out, all. Returns the
+/// squared error.
+double solveScales(const Metric& metric, const std::vector<const double*>& columns, const std::vector<bool>& held,
+                   const double* target, const double* cosine, std::size_t count, std::vector<double>& scales);
+
+/// Scale factors of all lobes for every channel of the range at shape coordinates x, by solveScales on one chunk.
+Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange channels, std::span<const double> x);
+
+struct Start {
+  std::vector<double> x;
+  double squaredError = 0;  ///< on the data of the scan
+};
+
+/// Starting shapes that do not depend on luck: for one lobe after the other, a low-discrepancy set of shapes over the
+/// soft bounds (every coordinate finely stratified), scales solved in the metric; with several lobes the scans are
+/// repeated with the others at their best. The request's own start is among the result. The best `keep` that differ,
+/// best first. `data` has one channel and one chunk.
+std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, std::size_t keep);
+
+/// A Latin hypercube of shapes over the soft bounds (McKay, Beckman, Conover 1979); the same for the same seed
+/// everywhere.
+std::vector<std::vector<double>> latinHypercube(const FitProblem& problem, std::size_t count, std::uint64_t seed);
+
+}  // namespace brdf
