@@ -21,9 +21,9 @@ struct ReadReport {
   std::uint64_t invalid = 0;  ///< of those: marked invalid, or not usable
   std::uint64_t negative = 0;
   std::uint64_t notFinite = 0;
-  std::uint64_t belowHorizon = 0;            ///< of the invalid: directions below the horizon
-  std::vector<std::string> assumptions;      ///< one sentence each: quantity, units, symmetry, colour, interpolation
-  std::vector<std::string> warnings;         ///< one sentence each
+  std::uint64_t belowHorizon = 0;               ///< of the invalid: directions below the horizon
+  std::vector<std::string> assumptions;         ///< one sentence each: quantity, units, symmetry, colour, interpolation
+  std::vector<std::string> warnings;            ///< one sentence each
   std::map<std::string, std::string> metadata;  ///< what the file says of itself
 };
 
@@ -39,9 +39,9 @@ struct WriteReport {
 
 /// A file format of measured (or tabulated) BRDFs: one record in the registry, one pair of files in measured/.
 struct Format {
-  std::string name;         ///< short, lower case: "merl"
-  std::string title;        ///< "MERL BRDF database, binary"
-  std::string extension;    ///< for writing, with the dot: ".binary"
+  std::string name;       ///< short, lower case: "merl"
+  std::string title;      ///< "MERL BRDF database, binary"
+  std::string extension;  ///< for writing, with the dot: ".binary"
   /// How sure the format is that `head` (the first kilobytes of a file of `size` bytes) is its own: 0 no, 100 certain
   /// (a magic number). The highest wins; extensions never decide.
   std::function<int(std::string_view head, std::uint64_t size)> recognise;
@@ -64,6 +64,7 @@ BRDF_EXPORT const Format& findFormat(std::string_view name);
 BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path);
 
 /// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`.
-BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format = {});
+BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path,
+                                      std::string_view format = {});
 
 }  // namespace brdf

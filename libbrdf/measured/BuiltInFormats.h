@@ -1,0 +1,11 @@
+#pragma once
+#include <brdf/measured/Format.h>
+
+namespace brdf {
+
+// The formats that ship, one function a file; Format.cpp lists them.
+Format merlFormat();     ///< MerlFormat.cpp
+Format cornellFormat();  ///< CornellFormat.cpp
+Format csvFormat();      ///< CsvFormat.cpp
+
+}  // namespace brdf

@@ -1,0 +1,130 @@
+// Text of scattered isotropic spectral samples by Cornell's Program of Computer Graphics, as pbrt-v2 reads it: '#'
+// starts a comment; the number of wavelengths; the wavelengths in nanometres; then records theta_i phi_i theta_o phi_o
+// (radians) and one BRDF value (1/sr) for each wavelength. (Pharr and Humphreys, "Physically Based Rendering", 2nd
+// edition 2010, section 8.6, "measured" material.)
+#include <brdf/base/Text.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/ScatteredText.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace brdf {
+namespace {
+
+constexpr double kMostWavelengths = 10000;
+
+/// The wavelengths, or an Error that says what is wrong.
+std::vector<double> readWavelengths(NumberReader& numbers) {
+  const double count = numbers.next("the number of wavelengths");
+  if (!(count >= 1 && count <= kMostWavelengths && count == std::floor(count)))
+    numbers.fail("wrong number of wavelengths", formatNumber(count), "a whole number from 1 to 10000");
+  std::vector<double> wavelengths;
+  while (wavelengths.size() < static_cast<std::size_t>(count)) {
+    const double wavelength = numbers.next("a wavelength");
+    if (!(wavelength >= 10 && wavelength <= 1e6) || (!wavelengths.empty() && wavelength <= wavelengths.back()))
+      numbers.fail("wrong wavelength", formatNumber(wavelength) + " nm", "ascending, 10 to 1000000 nm");
+    wavelengths.push_back(wavelength);
+  }
+  return wavelengths;
+}
+
+int recognise(std::string_view head, std::uint64_t size) {
+  head = withoutByteOrderMark(head);
+  if (head.find('\0') != std::string_view::npos) return 0;
+  // A number cut by the end of the head is no evidence.
+  if (head.size() < size) head = head.substr(0, head.find_last_of(" \t\r\n") + 1);
+  NumberReader numbers(head, {});
+  if (!numbers.more()) return 0;
+  try {
+    readWavelengths(numbers);
+    return 70;
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
+
+ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
+  NumberReader numbers(withoutByteOrderMark(bytes), path);
+  ReadReport report;
+  ScatteredSamples samples;
+  samples.channels = Channels::spectral(readWavelengths(numbers));
+  const std::size_t channelCount = samples.channels.count();
+
+  std::vector<double> records;  // the values of a sample together, as in the file
+  std::vector<DirectionPair> pairs;
+  double largestAngle = 0;
+  while (numbers.more()) {
+    double angle[4];
+    for (double& value : angle) {
+      value = numbers.next("an angle");
+      if (!std::isfinite(value)) numbers.fail("an angle is not finite", formatNumber(value), "radians");
+      largestAngle = std::max(largestAngle, std::abs(value));
+    }
+    pairs.push_back({fromSpherical(angle[0], angle[1]), fromSpherical(angle[2], angle[3])});
+    for (std::size_t channel = 0; channel < channelCount; ++channel) records.push_back(numbers.next("a BRDF value"));
+  }
+  if (pairs.empty()) numbers.fail("the file holds no sample", {}, {});
+
+  const std::size_t count = pairs.size();
+  samples.pairs.resize(count);
+  samples.values.resize(records.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    samples.pairs.set(i, pairs[i].wi, pairs[i].wo);
+    for (std::size_t channel = 0; channel < channelCount; ++channel)
+      samples.values[channel * count + i] = records[i * channelCount + channel];
+  }
+  if (largestAngle > 2 * kPi * (1 + 1e-6))
+    report.warnings.push_back("angles up to " + formatNumber(largestAngle, 6) +
+                              ": this format has radians, the file looks like degrees");
+  report.assumptions = {"values are f_r in 1/sr without the cosine", "angles are radians, theta_i phi_i the light's",
+                        "the surface is isotropic: only the difference of the azimuths counts, and not its sign",
+                        "between samples: moving least squares over the nearest"};
+  return finishScattered(std::move(samples), path, std::move(report));
+}
+
+WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
+  WriteReport report;
+  const ScatteredSamples samples = collectSamples(brdf, report);
+  // The format is spectral: other channels are written at stand-in wavelengths (for RGB, blue first, the dominant
+  // wavelengths of the sRGB primaries).
+  std::vector<double> wavelengths = samples.channels.wavelengths;
+  std::vector<std::size_t> order(samples.channels.count());
+  for (std::size_t channel = 0; channel < order.size(); ++channel) order[channel] = channel;
+  if (samples.channels.kind == Channels::Kind::Rgb) {
+    wavelengths = {464.2, 549.1, 611.4};
+    order = {2, 1, 0};
+    report.losses.push_back("colour: blue, green and red are written as values at 464.2, 549.1 and 611.4 nm");
+  } else if (samples.channels.kind == Channels::Kind::Monochrome) {
+    wavelengths = {555};
+    report.losses.push_back("the one channel is written as values at 555 nm");
+  }
+  if (brdf.symmetry() != Symmetry::Isotropic)
+    report.losses.push_back("symmetry: the format's readers take the surface for isotropic");
+
+  std::string text = "# " + brdf.description() + "\n# number of wavelengths\n" + std::to_string(wavelengths.size()) +
+                     "\n# wavelengths (nm)\n";
+  for (const double wavelength : wavelengths) text += formatNumber(wavelength) + "\n";
+  text += "# theta_i, phi_i, theta_o, phi_o (radians), BRDF values (1/sr)\n";
+  const std::size_t count = samples.pairs.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& [wi, wo] = samples.pairs;
+    const Spherical light = toSpherical({wi[0][i], wi[1][i], wi[2][i]});
+    const Spherical viewer = toSpherical({wo[0][i], wo[1][i], wo[2][i]});
+    text += formatNumber(light.theta);
+    for (const double angle : {light.phi, viewer.theta, viewer.phi}) text += " " + formatNumber(angle);
+    for (const std::size_t channel : order) text += " " + formatNumber(samples.values[channel * count + i]);
+    text += "\n";
+  }
+  writeBytes(path, text);
+  return report;
+}
+
+}  // namespace
+
+Format cornellFormat() {
+  return {"cornell", "Cornell / pbrt-v2 scattered spectral text", ".brdf", recognise, read, write};
+}
+
+}  // namespace brdf

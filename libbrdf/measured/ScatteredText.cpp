@@ -1,0 +1,148 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/measured/ScatteredText.h>
+
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+namespace brdf {
+namespace {
+
+constexpr std::string_view kBlanks = " \t\r\n\v\f";
+
+/// Polar angles 0 to 85 degrees and azimuth differences, both every 5 degrees; azimuths of the light every 30 degrees
+/// when the BRDF is anisotropic.
+DirectionPairBuffer<double> grid(Symmetry symmetry) {
+  constexpr int step = 5, lastTheta = 85;
+  const int lastPhi = symmetry == Symmetry::Isotropic ? 180 : 360 - step;
+  const int lastTurn = symmetry == Symmetry::Anisotropic ? 330 : 0;
+  std::vector<DirectionPair> all;
+  for (int turn = 0; turn <= lastTurn; turn += 30)
+    for (int thetaI = 0; thetaI <= lastTheta; thetaI += step)
+      for (int thetaO = 0; thetaO <= lastTheta; thetaO += step)
+        for (int phi = 0; phi <= lastPhi; phi += step)
+          all.push_back(
+              {fromSpherical(radians(thetaI), radians(turn)), fromSpherical(radians(thetaO), radians(turn + phi))});
+  DirectionPairBuffer<double> pairs(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i) pairs.set(i, all[i].wi, all[i].wo);
+  return pairs;
+}
+
+}  // namespace
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  return text;
+}
+
+bool NumberReader::more() {
+  while (position_ < text_.size()) {
+    const char c = text_[position_];
+    if (c == '#') {
+      position_ = std::min(text_.find('\n', position_), text_.size());
+    } else if (kBlanks.find(c) != std::string_view::npos) {
+      line_ += c == '\n';
+      ++position_;
+    } else {
+      return true;
+    }
+  }
+  return false;
+}
+
+double NumberReader::next(const char* what) {
+  if (!more()) fail(std::string("the file ends where ") + what + " should be", {}, {});
+  std::size_t end = position_;
+  while (end < text_.size() && text_[end] != '#' && kBlanks.find(text_[end]) == std::string_view::npos) ++end;
+  const std::string_view token = text_.substr(position_, end - position_);
+  const auto value = parseNumber(token);
+  if (!value)
+    fail(std::string("no number where ") + what + " should be", "\"" + std::string(token.substr(0, 40)) + "\"", {});
+  position_ = end;
+  return *value;
+}
+
+void NumberReader::fail(std::string what, std::string found, std::string allowed) const {
+  throw Error(Error::Kind::Format, {std::move(what), path_.string() + ", line " + std::to_string(line_),
+                                    std::move(found), std::move(allowed)});
+}
+
+ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report) {
+  const std::size_t count = samples.pairs.size(), channelCount = samples.channels.count();
+  report.samples = count;
+  samples.valid.assign(count, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    bool finite = true, negative = false;
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+      const double value = samples.values[channel * count + i];
+      finite = finite && std::isfinite(value);
+      negative = negative || value < 0;
+    }
+    // Two roundings of a right angle are not above the horizon.
+    constexpr double horizon = 1e-15;
+    const bool below = !(samples.pairs.wi[2][i] > horizon && samples.pairs.wo[2][i] > horizon);
+    report.notFinite += !finite;
+    report.negative += negative;
+    report.belowHorizon += below;
+    samples.valid[i] = finite && !below;
+    report.invalid += !samples.valid[i];
+  }
+  if (report.negative > 0)
+    report.warnings.push_back(std::to_string(report.negative) +
+                              " samples have a negative value, kept as noise about zero");
+  if (report.invalid == count && count > 0) report.warnings.push_back("no sample is valid");
+  const std::string description = path.filename().string();
+  return {std::make_shared<ScatteredBrdf>(std::move(samples), description), std::move(report)};
+}
+
+ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report) {
+  const std::size_t channelCount = brdf.channels().count();
+  DirectionPairBuffer<double> pairs;
+  std::vector<double> values;
+  std::vector<std::uint8_t> valid;
+  if (const SampleSet* samples = brdf.samples()) {
+    values.resize(channelCount * samples->count());
+    valid.resize(samples->count());
+    samples->read(0, samples->count(), &pairs, values.data(), valid.data());
+  } else {
+    pairs = grid(brdf.symmetry());
+    values.resize(channelCount * pairs.size());
+    valid.resize(pairs.size());
+    brdf.evaluateParallel(pairs.view(), values.data(), valid.data());
+    report.losses.push_back(
+        "sampled on a grid: polar angles 0 to 85 degrees and azimuth differences every 5 degrees, " +
+        std::to_string(pairs.size()) + " samples");
+  }
+
+  std::size_t kept = 0;
+  const std::size_t count = pairs.size();
+  std::vector<double> packed;
+  for (const std::uint8_t flag : valid) kept += flag;
+  ScatteredSamples result{
+      brdf.channels(), DirectionPairBuffer<double>(kept), {}, {}, brdf.symmetry() == Symmetry::Isotropic};
+  result.values.resize(channelCount * kept);
+  for (std::size_t i = 0, to = 0; i < count; ++i) {
+    if (!valid[i]) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      result.pairs.wi[axis][to] = pairs.wi[axis][i];
+      result.pairs.wo[axis][to] = pairs.wo[axis][i];
+    }
+    for (std::size_t channel = 0; channel < channelCount; ++channel)
+      result.values[channel * kept + to] = values[channel * count + i];
+    ++to;
+  }
+  if (kept < count) report.losses.push_back(std::to_string(count - kept) + " invalid samples left out");
+  return result;
+}
+
+void writeBytes(const std::filesystem::path& path, std::string_view bytes) {
+  std::ofstream out(path, std::ios::binary);
+  out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  out.close();
+  if (!out) throw Error(Error::Kind::File, {"cannot be written", path.string(), std::strerror(errno), {}});
+}
+
+}  // namespace brdf

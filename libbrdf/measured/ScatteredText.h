@@ -1,0 +1,45 @@
+#pragma once
+#include <brdf/material/ScatteredBrdf.h>
+#include <brdf/measured/Format.h>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace brdf {
+
+// What the text formats of scattered samples share.
+
+/// `text` without a UTF-8 byte order mark.
+std::string_view withoutByteOrderMark(std::string_view text);
+
+/// The numbers of a text: separated by blanks, '#' starts a comment that ends with the line.
+class NumberReader {
+ public:
+  NumberReader(std::string_view text, std::filesystem::path path) : text_(text), path_(std::move(path)) {}
+
+  /// False at the end of the text.
+  bool more();
+  /// The next number. Throws Error::Kind::Format at the end of the text, and when what stands there is no number.
+  double next(const char* what);
+  std::size_t line() const { return line_; }
+  [[noreturn]] void fail(std::string what, std::string found, std::string allowed) const;
+
+ private:
+  std::string_view text_;
+  std::filesystem::path path_;
+  std::size_t position_ = 0;
+  std::size_t line_ = 1;
+};
+
+/// Makes the BRDF of samples just read and counts their defects. NaN, infinity and directions below the horizon make a
+/// sample invalid; negative values (noise about zero) are counted and kept.
+ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report);
+
+/// The valid samples of `brdf` for a file of scattered samples: its own, or else a grid. What is lost goes to `report`.
+ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report);
+
+/// Writes a whole file. Throws Error::Kind::File.
+void writeBytes(const std::filesystem::path& path, std::string_view bytes);
+
+}  // namespace brdf

@@ -1,0 +1,151 @@
+#include <brdf/material/ScatteredBrdf.h>
+
+#include <random>
+
+#include "MeasuredSupport.h"
+
+namespace {
+
+using brdf::Direction;
+using brdf::ScatteredBrdf;
+using brdf::ScatteredSamples;
+using Function = measuredtest::FunctionBrdf::Function;
+
+Direction random(std::mt19937& engine) {
+  std::uniform_real_distribution<double> uniform(0, 1);
+  return brdf::fromSpherical(std::acos(std::sqrt(0.02 + 0.98 * uniform(engine))), 2 * brdf::kPi * uniform(engine));
+}
+
+ScatteredSamples sampled(std::size_t count, bool isotropic, const Function& function, unsigned seed = 1) {
+  std::mt19937 engine(seed);
+  ScatteredSamples samples;
+  samples.isotropic = isotropic;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Direction wi = random(engine), wo = random(engine);
+    samples.pairs.push(wi, wo);
+    samples.values.push_back(function(wi, wo, 0));
+  }
+  return samples;
+}
+
+Direction turned(const Direction& w, double angle) {
+  return {std::cos(angle) * w[0] - std::sin(angle) * w[1], std::sin(angle) * w[0] + std::cos(angle) * w[1], w[2]};
+}
+
+}  // namespace
+
+TEST(ScatteredBrdf, GivesEachSampleItsOwnValueAtItsDirections) {
+  for (const bool isotropic : {true, false}) {
+    // Values over many decades, zero and negative ones among them.
+    const ScatteredSamples samples = sampled(500, isotropic, [](const Direction& wi, const Direction& wo, std::size_t) {
+      return std::sinh(20 * wi[0] * wo[1]) + (wi[0] > 0.5 ? 0 : 1e-6);
+    });
+    const ScatteredBrdf brdf(samples, "test");
+    std::vector<double> values(500);
+    std::vector<std::uint8_t> valid(500);
+    brdf.evaluate(samples.pairs.view(), values.data(), valid.data());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      EXPECT_NEAR(values[i], samples.values[i], 1e-9 * std::abs(samples.values[i]) + 1e-12) << i;
+      EXPECT_EQ(valid[i], 1);
+    }
+  }
+}
+
+TEST(ScatteredBrdf, IsotropicValuesDoNotChangeWhenTurnedOrMirrored) {
+  const ScatteredBrdf brdf(sampled(300, true, measuredtest::glossy), "test");
+  std::mt19937 engine(7);
+  for (int i = 0; i < 50; ++i) {
+    const Direction wi = random(engine), wo = random(engine);
+    const double value = brdf.evaluate(wi, wo)[0];
+    EXPECT_NEAR(brdf.evaluate(turned(wi, 1.1), turned(wo, 1.1))[0], value, 1e-9 * value);
+    EXPECT_NEAR(brdf.evaluate({wi[0], -wi[1], wi[2]}, {wo[0], -wo[1], wo[2]})[0], value, 1e-9 * value);
+  }
+}
+
+TEST(ScatteredBrdf, InterpolationErrorShrinksWithTheSamples) {
+  for (const bool isotropic : {true, false}) {
+    const ScatteredSamples probes = sampled(500, isotropic, measuredtest::glossy, 99);
+    double previous = HUGE_VAL;
+    for (const std::size_t count : {200u, 2000u, 20000u}) {
+      const ScatteredBrdf brdf(sampled(count, isotropic, measuredtest::glossy), "test");
+      std::vector<double> values(500);
+      brdf.evaluate(probes.pairs.view(), values.data(), nullptr);
+      double sum = 0;
+      for (std::size_t i = 0; i < values.size(); ++i) sum += std::pow(values[i] - probes.values[i], 2);
+      const double rms = std::sqrt(sum / 500);
+      EXPECT_LT(rms, previous / 1.5) << count;
+      previous = rms;
+    }
+    EXPECT_LT(previous, isotropic ? 0.02 : 0.2);  // of a peak of 3
+  }
+}
+
+TEST(ScatteredBrdf, SamplesComeInTheirOrderBlockByBlock) {
+  const ScatteredSamples samples = sampled(10, true, measuredtest::glossy);
+  const ScatteredBrdf brdf(samples, "test");
+  brdf::DirectionPairBuffer<double> pairs;
+  double values[3];
+  std::uint8_t valid[3];
+  brdf.samples()->read(4, 3, &pairs, values, valid);
+  ASSERT_EQ(pairs.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(pairs.wi[0][i], samples.pairs.wi[0][4 + i]);
+    EXPECT_EQ(values[i], samples.values[4 + i]);
+    EXPECT_EQ(valid[i], 1);
+  }
+}
+
+TEST(ScatteredBrdf, UnusableSamplesAreInvalidAndDoNotSpreadNan) {
+  ScatteredSamples samples = sampled(20, true, measuredtest::glossy);
+  samples.values[3] = std::nan("");
+  samples.pairs.wo[2][5] = -0.1;
+  const ScatteredBrdf brdf(std::move(samples), "test");
+  std::vector<std::uint8_t> valid(20);
+  brdf.samples()->read(0, 20, nullptr, nullptr, valid.data());
+  for (std::size_t i = 0; i < 20; ++i) EXPECT_EQ(valid[i], i != 3 && i != 5) << i;
+  std::mt19937 engine(3);
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(std::isfinite(brdf.evaluate(random(engine), random(engine))[0]));
+}
+
+TEST(ScatteredBrdf, BelowTheHorizonIsZeroAndValid) {
+  const ScatteredBrdf brdf(sampled(20, true, measuredtest::glossy), "test");
+  brdf::DirectionPairBuffer<double> pairs;
+  pairs.push({0, 0, 1}, {0.6, 0, -0.8});
+  double value = 1;
+  std::uint8_t valid = 0;
+  brdf.evaluate(pairs.view(), &value, &valid);
+  EXPECT_EQ(value, 0);
+  EXPECT_EQ(valid, 1);
+}
+
+TEST(ScatteredBrdf, FewSamplesAndCoincidentOnesAreEnough) {
+  for (const std::size_t count : {1u, 2u, 8u, 9u}) {
+    ScatteredSamples samples;
+    for (std::size_t i = 0; i < count; ++i) {
+      samples.pairs.push({0, 0, 1}, {0.6, 0, 0.8});
+      samples.values.push_back(2);
+    }
+    const ScatteredBrdf brdf(std::move(samples), "test");
+    EXPECT_NEAR(brdf.evaluate({0, 0, 1}, {0.6, 0, 0.8})[0], 2, 1e-12);
+    EXPECT_NEAR(brdf.evaluate({0, 0.6, 0.8}, {0.8, 0, 0.6})[0], 2, 1e-12);
+  }
+}
+
+TEST(ScatteredBrdf, WithoutAValidSampleEverythingIsInvalid) {
+  ScatteredSamples samples = sampled(1, true, measuredtest::glossy);
+  samples.valid = {0};
+  const ScatteredBrdf brdf(std::move(samples), "test");
+  brdf::DirectionPairBuffer<double> pairs;
+  pairs.push({0, 0, 1}, {0, 0, 1});
+  double value = 1;
+  std::uint8_t valid = 1;
+  brdf.evaluate(pairs.view(), &value, &valid);
+  EXPECT_EQ(value, 0);
+  EXPECT_EQ(valid, 0);
+}
+
+TEST(ScatteredBrdf, ArraysOfDifferentLengthsAreAnError) {
+  ScatteredSamples samples = sampled(5, true, measuredtest::glossy);
+  samples.values.pop_back();
+  EXPECT_THROW(ScatteredBrdf(std::move(samples), "test"), brdf::Error);
+}
