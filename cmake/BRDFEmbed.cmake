@@ -17,6 +17,10 @@ function (brdf_embed target namespace name)
             "-DSOURCE=${source}" -P "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
     DEPENDS ${files} "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
     VERBATIM)
+  # The target may belong to a folder above: a custom command alone would be out of its sight.
+  add_custom_target(${target}_${name} DEPENDS "${header}" "${source}")
+  add_dependencies(${target} ${target}_${name})
   target_sources(${target} PRIVATE "${header}" "${source}")
+  set_source_files_properties("${header}" "${source}" TARGET_DIRECTORY ${target} PROPERTIES GENERATED TRUE)
   target_include_directories(${target} PRIVATE "${CMAKE_CURRENT_BINARY_DIR}")
 endfunction ()

@@ -23,10 +23,10 @@ class BRDF_EXPORT Error : public std::runtime_error {
 
   /// What went wrong, where (path, option, field, offset or line), the value found, the values allowed.
   struct Details {
-    std::string what;
-    std::string where;
-    std::string found;
-    std::string allowed;
+    std::string what{};
+    std::string where{};
+    std::string found{};
+    std::string allowed{};
   };
 
   Error(Kind kind, Details details);

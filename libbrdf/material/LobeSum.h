@@ -3,6 +3,7 @@
 #include <brdf/material/Brdf.h>
 #include <brdf/models/Model.h>
 
+#include <optional>
 #include <string_view>
 
 namespace brdf {
@@ -46,16 +47,28 @@ class BRDF_EXPORT LobeSum : public Brdf {
   const std::vector<double>& samplingWeights() const { return samplingWeights_; }
 
  private:
+  /// One way to draw a direction: a lobe with one channel's parameters, and the share of draws it gets.
+  struct Component {
+    std::size_t lobe;
+    std::vector<double> parameters;
+    double weight;
+  };
+  template <class T>
+  void evaluateBlocks(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const;
+  void chooseSamplingWeights();
+
   std::vector<Lobe> lobes_;
   Channels channels_;
   std::vector<double> samplingWeights_;
+  std::vector<Component> components_;
 };
 
-/// Reads a material expression: lobes joined by '+', each with an optional scale factor `s *` where s is a number or
-/// `(s0, s1, ...)`, parameters named `name=value` or `name=(v0, v1, ...)`. Three values anywhere make it RGB, other
-/// counts above one a list of channels without wavelengths are refused; all ones make it monochrome.
+/// Reads a material expression: lobes joined by '+', each with optional scale factors `s *` where s is a number or one
+/// number a channel `(s0, s1, ...)`, parameters named `name=value` or `name=(v0, v1, ...)`. Three values anywhere make
+/// it RGB, all single values monochrome; other channels must be named by `channels`, whose count every list must have.
 /// Example: "(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)". Throws Error::Kind::Formula with the column,
-/// what was expected and the nearest known name.
-BRDF_EXPORT std::shared_ptr<const LobeSum> parseMaterialExpression(std::string_view text);
+/// what was expected and the nearest known name, Error::Kind::Value for a value out of bounds.
+BRDF_EXPORT std::shared_ptr<const LobeSum> parseMaterialExpression(std::string_view text,
+                                                                   std::optional<Channels> channels = {});
 
 }  // namespace brdf

@@ -18,6 +18,9 @@ struct Parameter {
   double maximum = 1;
   double softMinimum = 0;  ///< the range in which real materials lie: sliders and multi-start use it
   double softMaximum = 1;
+  /// Name of the parameter whose value this one takes when it is not given (ay follows ax: isotropic unless asked
+  /// otherwise), or empty. A fit ties the two unless told to free them.
+  std::string follows;
   Scale scale = Scale::Linear;  ///< Logarithmic: positive, fitted and scanned in the logarithm
 };
 

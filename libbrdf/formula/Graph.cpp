@@ -1,0 +1,217 @@
+#include <brdf/formula/Graph.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <boost/math/special_functions/digamma.hpp>
+#include <cmath>
+
+namespace brdf::formula {
+namespace {
+
+struct OpInfo {
+  std::string_view name;
+  int arity;
+};
+
+constexpr std::array<OpInfo, static_cast<std::size_t>(Op::Count)> kOps{{
+    {"constant", 0}, {"input", 0}, {"parameter", 0},
+    {"-", 1}, {"abs", 1}, {"sqrt", 1}, {"exp", 1}, {"expm1", 1}, {"log", 1}, {"log1p", 1}, {"sin", 1}, {"cos", 1},
+    {"tan", 1}, {"asin", 1}, {"acos", 1}, {"atan", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1}, {"erf", 1}, {"erfc", 1},
+    {"lgamma", 1}, {"digamma", 1}, {"floor", 1}, {"!", 1},
+    {"+", 2}, {"-", 2}, {"*", 2}, {"/", 2}, {"pow", 2}, {"min", 2}, {"max", 2}, {"atan2", 2}, {"<", 2}, {"<=", 2},
+    {"==", 2}, {"&&", 2}, {"||", 2},
+    {"select", 3},
+    {"muladd", 3}, {"mulsub", 3}, {"negmuladd", 3}, {"copy", 1},
+}};
+
+bool commutative(Op op) {
+  return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or;
+}
+
+}  // namespace
+
+int arity(Op op) { return kOps[static_cast<std::size_t>(op)].arity; }
+std::string_view opName(Op op) { return kOps[static_cast<std::size_t>(op)].name; }
+
+double applyOp(Op op, double a, double b, double c) {
+  switch (op) {
+    case Op::Neg: return -a;
+    case Op::Abs: return std::fabs(a);
+    case Op::Sqrt: return std::sqrt(a);
+    case Op::Exp: return std::exp(a);
+    case Op::Expm1: return std::expm1(a);
+    case Op::Log: return std::log(a);
+    case Op::Log1p: return std::log1p(a);
+    case Op::Sin: return std::sin(a);
+    case Op::Cos: return std::cos(a);
+    case Op::Tan: return std::tan(a);
+    case Op::Asin: return std::asin(std::clamp(a, -1.0, 1.0));
+    case Op::Acos: return std::acos(std::clamp(a, -1.0, 1.0));
+    case Op::Atan: return std::atan(a);
+    case Op::Sinh: return std::sinh(a);
+    case Op::Cosh: return std::cosh(a);
+    case Op::Tanh: return std::tanh(a);
+    case Op::Erf: return std::erf(a);
+    case Op::Erfc: return std::erfc(a);
+    case Op::Lgamma: return std::lgamma(a);
+    case Op::Digamma: return a > 0 ? boost::math::digamma(a) : std::nan("");
+    case Op::Floor: return std::floor(a);
+    case Op::Not: return a == 0 ? 1 : 0;
+    case Op::Add: return a + b;
+    case Op::Sub: return a - b;
+    case Op::Mul: return a * b;
+    case Op::Div: return a / b;
+    case Op::Pow: return std::pow(a, b);
+    case Op::Min: return b < a ? b : a;
+    case Op::Max: return b > a ? b : a;
+    case Op::Atan2: return std::atan2(a, b);
+    case Op::Less: return a < b ? 1 : 0;
+    case Op::LessEqual: return a <= b ? 1 : 0;
+    case Op::Equal: return a == b ? 1 : 0;
+    case Op::And: return a != 0 && b != 0 ? 1 : 0;
+    case Op::Or: return a != 0 || b != 0 ? 1 : 0;
+    case Op::Select: return a != 0 ? b : c;
+    case Op::MulAdd: return std::fma(a, b, c);
+    case Op::MulSub: return std::fma(a, b, -c);
+    case Op::NegMulAdd: return std::fma(-a, b, c);
+    default: return a;
+  }
+}
+
+std::size_t Graph::Hash::operator()(const Node& node) const {
+  std::uint64_t hash = static_cast<std::uint64_t>(node.op);
+  const auto mix = [&](std::uint64_t part) { hash = (hash ^ part) * 0x9e3779b97f4a7c15u, hash ^= hash >> 29; };
+  for (const NodeId operand : node.operands) mix(operand);
+  mix(node.index);
+  mix(std::bit_cast<std::uint64_t>(node.value));
+  return hash;
+}
+
+bool Graph::Equal::operator()(const Node& a, const Node& b) const {
+  return a.op == b.op && std::equal(a.operands, a.operands + 3, b.operands) && a.index == b.index &&
+         std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
+}
+
+NodeId Graph::intern(const Node& node) {
+  const auto [it, added] = ids_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
+  if (added) nodes_.push_back(node);
+  return it->second;
+}
+
+NodeId Graph::constant(double value) {
+  Node node;
+  node.value = value;
+  return intern(node);
+}
+
+NodeId Graph::input(Input input) {
+  Node node;
+  node.op = Op::Input;
+  node.index = static_cast<std::uint32_t>(input);
+  return intern(node);
+}
+
+NodeId Graph::parameter(std::uint32_t index) {
+  Node node;
+  node.op = Op::Parameter;
+  node.index = index;
+  return intern(node);
+}
+
+NodeId Graph::simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found) {
+  found = true;
+  const auto number = [&](NodeId id) { return nodes_[id].value; };
+  switch (op) {
+    case Op::Neg:
+      if (nodes_[a].op == Op::Neg) return nodes_[a].operands[0];
+      break;
+    case Op::Add:
+      if (isConstant(a, 0)) return b;
+      if (isConstant(b, 0)) return a;
+      if (nodes_[b].op == Op::Neg) return sub(a, nodes_[b].operands[0]);
+      if (nodes_[a].op == Op::Neg) return sub(b, nodes_[a].operands[0]);
+      break;
+    case Op::Sub:
+      if (isConstant(b, 0)) return a;
+      if (isConstant(a, 0)) return neg(b);
+      if (a == b) return constant(0);
+      if (nodes_[b].op == Op::Neg) return add(a, nodes_[b].operands[0]);
+      break;
+    case Op::Mul:
+      if (isConstant(a, 0) || isConstant(b, 0)) return constant(0);
+      if (isConstant(a, 1)) return b;
+      if (isConstant(b, 1)) return a;
+      if (isConstant(a, -1)) return neg(b);
+      if (isConstant(b, -1)) return neg(a);
+      break;
+    case Op::Div:
+      if (isConstant(a, 0)) return a;
+      if (isConstant(b, 1)) return a;
+      // A power of two divides and multiplies alike, without a rounding; other constants keep the division.
+      if (int exponent = 0; isConstant(b) && number(b) != 0 && std::abs(std::frexp(number(b), &exponent)) == 0.5 &&
+                            std::abs(exponent) < 100)
+        return mul(a, constant(1 / number(b)));
+      break;
+    case Op::Pow:
+      if (isConstant(b, 0)) return constant(1);
+      if (isConstant(b, 1)) return a;
+      if (isConstant(b, 0.5)) return sqrt(a);
+      if (isConstant(b) && number(b) == std::floor(number(b)) && number(b) > 1 && number(b) <= 8) {
+        // Small whole powers by repeated squaring: fewer roundings and far cheaper than pow.
+        NodeId result = 0;
+        bool have = false;
+        NodeId square = a;
+        for (int n = static_cast<int>(number(b)); n > 0; n >>= 1) {
+          if (n & 1) result = have ? mul(result, square) : square, have = true;
+          if (n > 1) square = mul(square, square);
+        }
+        return result;
+      }
+      break;
+    case Op::Min:
+    case Op::Max:
+      if (a == b) return a;
+      break;
+    case Op::Select:
+      if (isConstant(a)) return number(a) != 0 ? b : c;
+      if (b == c) return b;
+      break;
+    case Op::And:
+      if (isConstant(a, 0) || isConstant(b, 0)) return constant(0);
+      break;
+    default: break;
+  }
+  found = false;
+  return 0;
+}
+
+NodeId Graph::make(Op op, NodeId a, NodeId b, NodeId c) {
+  const int count = arity(op);
+  const bool allConstant =
+      isConstant(a) && (count < 2 || isConstant(b)) && (count < 3 || isConstant(c));
+  if (allConstant)
+    return constant(applyOp(op, nodes_[a].value, count < 2 ? 0 : nodes_[b].value, count < 3 ? 0 : nodes_[c].value));
+  bool found = false;
+  const NodeId simple = simplified(op, a, b, c, found);
+  if (found) return simple;
+  if (commutative(op) && a > b) std::swap(a, b);
+  Node node;
+  node.op = op;
+  node.operands[0] = a;
+  if (count > 1) node.operands[1] = b;
+  if (count > 2) node.operands[2] = c;
+  return intern(node);
+}
+
+std::vector<bool> Graph::reachable(const std::vector<NodeId>& roots) const {
+  std::vector<bool> needed(nodes_.size(), false);
+  for (const NodeId root : roots) needed[root] = true;
+  for (std::size_t id = nodes_.size(); id-- > 0;) {
+    if (!needed[id]) continue;
+    for (int k = 0; k < arity(nodes_[id].op); ++k) needed[nodes_[id].operands[k]] = true;
+  }
+  return needed;
+}
+
+}  // namespace brdf::formula

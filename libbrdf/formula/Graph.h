@@ -1,0 +1,84 @@
+#pragma once
+#include <brdf/brdf_export.h>
+
+#include <cstdint>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace brdf::formula {
+
+/// Operations of the expression graph. Truth is 1 and 0; a condition is true when it is not 0.
+/// Defined corners: pow(0, 0) = 1 and pow(0, n) = 0 for n > 0; at a tie min and max take (and are differentiated by)
+/// their first operand; acos and asin clamp their operand to [-1, 1]; sqrt and log of a negative operand are NaN, which
+/// a `select` may discard.
+enum class Op : std::uint8_t {
+  Constant, Input, Parameter,                                                     // leaves
+  Neg, Abs, Sqrt, Exp, Expm1, Log, Log1p, Sin, Cos, Tan, Asin, Acos, Atan,        // one operand
+  Sinh, Cosh, Tanh, Erf, Erfc, Lgamma, Digamma, Floor, Not,
+  Add, Sub, Mul, Div, Pow, Min, Max, Atan2, Less, LessEqual, Equal, And, Or,      // two operands
+  Select,                                                                         // condition, then, else
+  MulAdd, MulSub, NegMulAdd, Copy,  // made by Program only: a*b+c, a*b-c, c-a*b, a
+  Count
+};
+
+/// What an Input node reads, one number a direction pair.
+enum class Input : std::uint8_t { Ux, Uy, Uz, Vx, Vy, Vz, Random1, Random2, Count };
+
+using NodeId = std::uint32_t;
+
+struct Node {
+  Op op = Op::Constant;
+  NodeId operands[3] = {0, 0, 0};
+  std::uint32_t index = 0;  ///< Input: which input; Parameter: which parameter
+  double value = 0;         ///< Constant: its value
+};
+
+/// Number of operands of an operation.
+BRDF_EXPORT int arity(Op op);
+/// Its function name in the formula language, or its symbol ("+").
+BRDF_EXPORT std::string_view opName(Op op);
+/// The operation on doubles as the language defines it; used to fold constants.
+BRDF_EXPORT double applyOp(Op op, double a, double b, double c);
+
+/// A hash-consed expression graph: equal expressions are one node, constants are folded, and identities such as x*1,
+/// x+0 and 0*x (0 whatever x is) are removed when a node is made. Operands have smaller ids than the nodes that use
+/// them, so ascending ids are an evaluation order.
+class BRDF_EXPORT Graph {
+ public:
+  NodeId constant(double value);
+  NodeId input(Input input);
+  NodeId parameter(std::uint32_t index);
+  NodeId make(Op op, NodeId a, NodeId b = 0, NodeId c = 0);
+
+  NodeId add(NodeId a, NodeId b) { return make(Op::Add, a, b); }
+  NodeId sub(NodeId a, NodeId b) { return make(Op::Sub, a, b); }
+  NodeId mul(NodeId a, NodeId b) { return make(Op::Mul, a, b); }
+  NodeId div(NodeId a, NodeId b) { return make(Op::Div, a, b); }
+  NodeId neg(NodeId a) { return make(Op::Neg, a); }
+  NodeId sqrt(NodeId a) { return make(Op::Sqrt, a); }
+  NodeId select(NodeId condition, NodeId yes, NodeId no) { return make(Op::Select, condition, yes, no); }
+
+  const Node& operator[](NodeId id) const { return nodes_[id]; }
+  std::size_t size() const { return nodes_.size(); }
+  bool isConstant(NodeId id) const { return nodes_[id].op == Op::Constant; }
+  bool isConstant(NodeId id, double value) const { return isConstant(id) && nodes_[id].value == value; }
+
+  /// For each node id up to the largest of `roots`: whether a root needs it.
+  std::vector<bool> reachable(const std::vector<NodeId>& roots) const;
+
+ private:
+  struct Hash {
+    std::size_t operator()(const Node& node) const;
+  };
+  struct Equal {
+    bool operator()(const Node& a, const Node& b) const;
+  };
+  NodeId intern(const Node& node);
+  NodeId simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found);
+
+  std::vector<Node> nodes_;
+  std::unordered_map<Node, NodeId, Hash, Equal> ids_;
+};
+
+}  // namespace brdf::formula

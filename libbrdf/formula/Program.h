@@ -1,0 +1,66 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/formula/Graph.h>
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace brdf::formula {
+
+/// A graph compiled for batches: instructions over blocks of lanes, registers reused as soon as they are free, inputs
+/// read where they lie. What depends on parameters alone is computed once a run, in double. Immutable; one Program may
+/// run in several threads.
+class BRDF_EXPORT Program {
+ public:
+  /// Compiles the nodes that `outputs` need.
+  Program(const Graph& graph, const std::vector<NodeId>& outputs);
+
+  /// Evaluates `count` lanes on the calling thread. `inputs[k]` holds `count` numbers for each Input k that the program
+  /// reads (others may be null); `parameters` one number for each Parameter index; `outputs[k]` receives `count` numbers.
+  void run(const double* const* inputs, std::span<const double> parameters, double* const* outputs,
+           std::size_t count) const;
+  void run(const float* const* inputs, std::span<const double> parameters, float* const* outputs,
+           std::size_t count) const;
+
+  std::size_t outputCount() const { return outputCount_; }
+  std::size_t instructionCount() const { return instructions_.size(); }
+  std::size_t registerCount() const { return registerCount_; }
+  bool reads(Input input) const { return reads_[static_cast<std::size_t>(input)]; }
+
+ private:
+  enum class Place : std::uint8_t { Register, Input, Output, Uniform };
+  struct Operand {
+    Place place = Place::Register;
+    std::uint32_t index = 0;
+  };
+  struct Instruction {
+    Op op = Op::Copy;
+    Operand target;
+    Operand operands[3];
+  };
+  struct UniformStep {
+    Op op = Op::Constant;
+    std::uint32_t operands[3] = {0, 0, 0};  ///< earlier uniforms; Parameter: its index in operands[0]
+    double value = 0;
+  };
+
+  template <class T>
+  void runBlocks(const T* const* inputs, std::span<const double> parameters, T* const* outputs, std::size_t count) const;
+
+  std::vector<UniformStep> uniforms_;
+  std::vector<Instruction> instructions_;
+  std::size_t registerCount_ = 0;
+  std::size_t outputCount_ = 0;
+  bool reads_[static_cast<std::size_t>(Input::Count)] = {};
+};
+
+/// Names of the instruction sets this machine can run, best first: "avx512", "avx2", "sse2", "generic".
+BRDF_EXPORT std::vector<std::string_view> instructionSets();
+/// The one in use; the best by default. Setting an unknown or unavailable one throws Error::Kind::Value. For tests and
+/// measurements: not to be changed while programs run.
+BRDF_EXPORT std::string_view instructionSet();
+BRDF_EXPORT void setInstructionSet(std::string_view name);
+
+}  // namespace brdf::formula

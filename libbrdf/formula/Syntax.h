@@ -1,0 +1,37 @@
+#pragma once
+// Text of the formula language to syntax trees. Internal to libbrdf/formula.
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brdf::formula {
+
+struct Position {
+  int line = 1, column = 1;
+};
+
+struct Expression {
+  enum class Kind { Number, Name, Call };
+  Kind kind = Kind::Number;
+  double number = 0;
+  std::string name;  ///< of a Name or Call; operators are calls of "+", "neg", "?:", ...
+  std::vector<std::unique_ptr<Expression>> arguments;
+  Position position;
+};
+
+struct Statement {
+  std::string target;                  ///< assigned name, or empty
+  std::vector<std::string> arguments;  ///< of a function definition
+  bool isFunction = false;
+  std::unique_ptr<Expression> value;
+  Position position;
+};
+
+/// Throws Error::Kind::Formula; `where` begins its place.
+std::vector<Statement> parseStatements(std::string_view text, const std::string& where);
+
+[[noreturn]] void formulaError(const std::string& where, Position position, std::string what, std::string found = {},
+                               std::string allowed = {});
+
+}  // namespace brdf::formula

@@ -1,0 +1,175 @@
+// Elementary functions of known accuracy for the shaders that formulas print to. Drivers' own are poor (worst relative
+// error seen on a software driver: log near 1 2e-2, pow(x, 1e4) 1e-3, acos 2e-4). Every function here is within a few
+// float ulps of the exact value (tests/formula/GlslTest.cpp measures each); pow's and exp's relative error also grows
+// with the size of the exponent, as one ulp of the exponent's rounding does.
+
+const float BRDF_LN2_HIGH = 0.693359375;          // nine bits: products with whole numbers below 2^15 are exact
+const float BRDF_LN2_LOW = -2.12194440e-4;        // ln 2 - BRDF_LN2_HIGH
+const float BRDF_PI = 3.14159265;
+
+// exp: n = round(x / ln 2), the Taylor polynomial of degree 7 on |r| <= 0.35 (error 6e-9), scaled by 2^n in two steps.
+float brdf_exp(float x) {
+  float clamped = clamp(x, -104.0, 89.0);
+  float n = floor(clamped * 1.44269504 + 0.5);
+  float r = (clamped - n * BRDF_LN2_HIGH) - n * BRDF_LN2_LOW;
+  float p = 1.0 + r * (1.0 + r * (0.5 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0 + r / 5040.0))))));
+  int half1 = int(n) / 2;
+  int half2 = int(n) - half1;
+  return p * intBitsToFloat((half1 + 127) << 23) * intBitsToFloat((half2 + 127) << 23);
+}
+
+// 2 atanh(s) for |s| <= 0.172: odd series through s^13 (error 3e-11 relative).
+float brdf_twoAtanh(float s) {
+  float z = s * s;
+  return 2.0 * s * (1.0 + z * (1.0 / 3.0 + z * (1.0 / 5.0 + z * (1.0 / 7.0 + z * (1.0 / 9.0 + z * (1.0 / 11.0 + z / 13.0))))));
+}
+
+// log: x = 2^e m with m in [sqrt(1/2), sqrt(2)); log m = 2 atanh((m - 1)/(m + 1)), where m - 1 is exact.
+float brdf_log(float x) {
+  if (!(x > 0.0)) return x == 0.0 ? uintBitsToFloat(0xff800000u) : uintBitsToFloat(0x7fc00000u);
+  if (x > 3.4028235e38) return x;
+  bool tiny = x < 1.17549435e-38;
+  float y = tiny ? x * 16777216.0 : x;
+  int bits = floatBitsToInt(y);
+  int e = (bits >> 23) - 127;
+  float m = intBitsToFloat((bits & 0x007fffff) | 0x3f800000);
+  if (m > 1.41421356) {
+    m *= 0.5;
+    e += 1;
+  }
+  float k = float(tiny ? e - 24 : e);
+  return k * BRDF_LN2_HIGH + (brdf_twoAtanh((m - 1.0) / (m + 1.0)) + k * BRDF_LN2_LOW);
+}
+
+float brdf_log1p(float x) {
+  if (x > -0.29 && x < 0.41) return brdf_twoAtanh(x / (2.0 + x));
+  return brdf_log(1.0 + x);
+}
+
+float brdf_expm1(float x) {
+  if (abs(x) > 0.35) return brdf_exp(x) - 1.0;
+  return x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x * (1.0 / 720.0 + x * (1.0 / 5040.0 + x / 40320.0)))))));
+}
+
+float brdf_pow(float x, float y) {
+  if (y == 0.0) return 1.0;
+  if (x == 0.0) return y > 0.0 ? 0.0 : uintBitsToFloat(0x7f800000u);
+  if (x < 0.0) {
+    if (y != floor(y)) return uintBitsToFloat(0x7fc00000u);
+    float magnitude = brdf_exp(y * brdf_log(-x));
+    return mod(y, 2.0) == 0.0 ? magnitude : -magnitude;
+  }
+  return brdf_exp(y * brdf_log(x));
+}
+
+// atan: two reductions to |z| <= tan(pi/8), then the odd series through z^19 (error 1e-9 relative).
+float brdf_atan(float x) {
+  float a = abs(x);
+  bool inverted = a > 1.0;
+  float y = inverted ? 1.0 / a : a;
+  bool shifted = y > 0.414213562;
+  float s = shifted ? (y - 1.0) / (y + 1.0) : y;
+  float z = s * s;
+  float p = s * (1.0 - z * (1.0 / 3.0 - z * (1.0 / 5.0 - z * (1.0 / 7.0 - z * (1.0 / 9.0 - z * (1.0 / 11.0 -
+            z * (1.0 / 13.0 - z * (1.0 / 15.0 - z * (1.0 / 17.0 - z / 19.0)))))))));
+  float r = shifted ? 0.785398163 + p : p;
+  r = inverted ? 1.57079633 - r : r;
+  return x < 0.0 ? -r : r;
+}
+
+float brdf_atan2(float y, float x) {
+  if (x == 0.0 && y == 0.0) return 0.0;
+  float r = abs(y) > abs(x) ? 1.57079633 - brdf_atan(abs(x) / abs(y)) : brdf_atan(abs(y) / abs(x));
+  r = x < 0.0 ? BRDF_PI - r : r;
+  return y < 0.0 ? -r : r;
+}
+
+float brdf_acos(float x) {
+  float c = clamp(x, -1.0, 1.0);
+  return 2.0 * brdf_atan2(sqrt(1.0 - c), sqrt(1.0 + c));
+}
+
+float brdf_asin(float x) {
+  float c = clamp(x, -1.0, 1.0);
+  return brdf_atan2(c, sqrt((1.0 - c) * (1.0 + c)));
+}
+
+float brdf_sinh(float x) {
+  float a = abs(x);
+  float e = brdf_expm1(min(a, 80.0));
+  float r = a > 80.0 ? 0.5 * brdf_exp(a) : 0.5 * (e + e / (e + 1.0));
+  return x < 0.0 ? -r : r;
+}
+
+float brdf_cosh(float x) {
+  float e = brdf_exp(min(abs(x), 80.0));
+  return abs(x) > 80.0 ? 0.5 * brdf_exp(abs(x)) : 0.5 * (e + 1.0 / e);
+}
+
+float brdf_tanh(float x) {
+  float e = brdf_expm1(-2.0 * min(abs(x), 20.0));
+  float r = -e / (2.0 + e);
+  return x < 0.0 ? -r : r;
+}
+
+// exp(-x^2) without the digits that rounding x^2 loses: x = h + l with h of 12 bits.
+float brdf_expMinusSquare(float x) {
+  float h = intBitsToFloat(floatBitsToInt(x) & 0xfffff000);
+  float l = x - h;
+  return brdf_exp(-h * h) * brdf_exp(-(x + h) * l);
+}
+
+// erfc(x) for x >= 2: continued fraction, Abramowitz and Stegun 7.1.14, twenty levels from below.
+float brdf_erfcLarge(float x) {
+  float f = x;
+  for (int k = 20; k > 0; --k) f = x + 0.5 * float(k) / f;
+  return brdf_expMinusSquare(x) * 0.564189584 / f;
+}
+
+// erf(x) for |x| < 2: 2/sqrt(pi) exp(-x^2) sum 2^n x^(2n+1)/(1 3 5 ...), all terms positive (A. and S. 7.1.6).
+float brdf_erfSmall(float x) {
+  float term = x;
+  float sum = x;
+  for (int n = 1; n < 28; ++n) {
+    term *= 2.0 * x * x / float(2 * n + 1);
+    sum += term;
+  }
+  return 1.12837917 * brdf_expMinusSquare(x) * sum;
+}
+
+float brdf_erf(float x) {
+  float a = abs(x);
+  float r = a < 2.0 ? brdf_erfSmall(a) : (a > 4.0 ? 1.0 : 1.0 - brdf_erfcLarge(a));
+  return x < 0.0 ? -r : r;
+}
+
+float brdf_erfc(float x) {
+  if (x >= 2.0) return x > 10.1 ? 0.0 : brdf_erfcLarge(x);
+  return 1.0 - brdf_erf(x);
+}
+
+// Stirling's series after raising the argument above 8 (A. and S. 6.1.41, 6.3.18); arguments above 0 only.
+float brdf_lgamma(float x) {
+  float shift = 1.0;
+  float y = x;
+  for (int k = 0; k < 8; ++k)
+    if (y < 8.0) {
+      shift *= y;
+      y += 1.0;
+    }
+  float z = 1.0 / (y * y);
+  float series = (1.0 / 12.0 - z * (1.0 / 360.0 - z * (1.0 / 1260.0 - z / 1680.0))) / y;
+  return (y - 0.5) * brdf_log(y) - y + 0.918938533 + series - brdf_log(shift);
+}
+
+float brdf_digamma(float x) {
+  float sum = 0.0;
+  float y = x;
+  for (int k = 0; k < 8; ++k)
+    if (y < 8.0) {
+      sum -= 1.0 / y;
+      y += 1.0;
+    }
+  float z = 1.0 / (y * y);
+  return sum + brdf_log(y) - 0.5 / y - z * (1.0 / 12.0 - z * (1.0 / 120.0 - z * (1.0 / 252.0 - z / 240.0)));
+}

@@ -1,0 +1,184 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/formula/Derivative.h>
+#include <brdf/formula/Extended.h>
+#include <brdf/formula/GlslPrinter.h>
+#include <brdf/formula/Parser.h>
+#include <brdf/models/FormulaModel.h>
+#include <brdf/models/Library.h>
+#include <brdf/models/XmlRecord.h>
+
+#include <numeric>
+
+namespace brdf {
+
+using formula::Graph;
+using formula::Input;
+using formula::NodeId;
+using formula::Op;
+using formula::Program;
+
+struct FormulaModel::Compiled {
+  Graph graph;
+  NodeId value = 0, density = 0;
+  std::vector<NodeId> draw;
+  std::vector<NodeId> derivatives;  // of the value, one a parameter
+  std::unique_ptr<const Program> valueProgram, densityProgram, drawProgram;
+
+  std::mutex mutex;  // guards the map; programs themselves are immutable
+  std::map<std::vector<std::size_t>, std::unique_ptr<const Program>> derivativePrograms;
+
+  const Program& withDerivatives(std::span<const std::size_t> which) {
+    const std::lock_guard lock(mutex);
+    std::unique_ptr<const Program>& program = derivativePrograms[{which.begin(), which.end()}];
+    if (!program) {
+      std::vector<NodeId> outputs{value};
+      for (const std::size_t k : which) outputs.push_back(derivatives[k]);
+      program = std::make_unique<const Program>(graph, outputs);
+    }
+    return *program;
+  }
+};
+
+namespace {
+
+template <class T>
+std::array<const T*, static_cast<std::size_t>(Input::Count)> inputsOf(const DirectionPairs<T>& pairs) {
+  return {pairs.wi[0], pairs.wi[1], pairs.wi[2], pairs.wo[0], pairs.wo[1], pairs.wo[2], nullptr, nullptr};
+}
+
+}  // namespace
+
+FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : where_(where) {
+  pugi::xml_document document;
+  const pugi::xml_node root = xmlRoot(document, xml, where, "model");
+  name_ = requiredAttribute(root, "name", where);
+  title_ = requiredAttribute(root, "title", where);
+  description_ = std::string(trimmed(root.child_value("description")));
+  equation_ = std::string(trimmed(root.child_value("equation")));
+  if (equation_.empty()) throw Error(Error::Kind::Format, {"missing <equation>", where, {}, {}});
+  isotropic_ = flagAttribute(root, "isotropic", true, where);
+  reciprocal_ = flagAttribute(root, "reciprocal", true, where);
+  clamp_ = flagAttribute(root, "clamp", false, where);
+  for (const pugi::xml_node node : root.children("parameter")) {
+    Parameter parameter = readParameter(node, where);
+    if (!parameter.follows.empty()) parameterIndex(parameter.follows);  // an earlier one, or this throws
+    parameters_.push_back(std::move(parameter));
+  }
+  if (const pugi::xml_node sampler = root.child("sampler")) {
+    samplerName_ = requiredAttribute(sampler, "name", where);
+    samplerArguments_ = splitArguments(sampler.attribute("arguments").value());
+  }
+  references_ = readReferences(root);
+}
+
+FormulaModel::~FormulaModel() = default;
+
+FormulaModel::Compiled& FormulaModel::compiled() const {
+  std::call_once(once_, [this] {
+    auto made = std::make_unique<Compiled>();
+    Graph& graph = made->graph;
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
+    formula::ParseOptions options;
+    options.parameters = names;
+    options.functions = &functionTable();
+    options.where = where_ + ", equation of " + name_;
+
+    const NodeId zero = graph.constant(0);
+    const NodeId above = graph.make(Op::And, graph.make(Op::Less, zero, graph.input(Input::Uz)),
+                                    graph.make(Op::Less, zero, graph.input(Input::Vz)));
+    NodeId raw = formula::parse(graph, equation_, options).value;
+    if (clamp_) raw = graph.make(Op::Max, raw, zero);
+    made->value = graph.select(above, raw, zero);
+    std::vector<std::uint32_t> all(parameters_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    made->derivatives = formula::derivatives(graph, made->value, all);
+
+    const Sampler& sampler = findSampler(samplerName_, where_);
+    if (sampler.arguments.size() != samplerArguments_.size())
+      throw Error(Error::Kind::Format, {"wrong number of arguments to sampler " + samplerName_, where_,
+                                        std::to_string(samplerArguments_.size()),
+                                        std::to_string(sampler.arguments.size()) + " (" + joined(sampler.arguments) + ")"});
+    formula::ParseOptions samplerOptions = options;
+    for (std::size_t k = 0; k < samplerArguments_.size(); ++k) {
+      options.where = where_ + ", sampler of " + name_;
+      samplerOptions.bindings[sampler.arguments[k]] = formula::parse(graph, samplerArguments_[k], options).value;
+    }
+    samplerOptions.where = "density of sampler " + samplerName_;
+    made->density = graph.select(above, formula::parse(graph, sampler.density, samplerOptions).value, zero);
+    samplerOptions.where = "draw of sampler " + samplerName_;
+    const formula::ParseResult draw = formula::parse(graph, sampler.draw, samplerOptions);
+    const auto component = [&](const char* name) {
+      const auto it = draw.variables.find(name);
+      if (it == draw.variables.end())
+        throw Error(Error::Kind::Formula, {"missing assignment", samplerOptions.where, {}, name});
+      return it->second;
+    };
+    const NodeId success = graph.make(Op::Less, zero, component("wz"));
+    for (const char* name : {"wx", "wy", "wz"}) made->draw.push_back(graph.select(success, component(name), zero));
+
+    made->valueProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->value});
+    made->densityProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->density});
+    made->drawProgram = std::make_unique<const Program>(graph, made->draw);
+    compiled_ = std::move(made);
+  });
+  return *compiled_;
+}
+
+void FormulaModel::evaluate(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* out) const {
+  compiled().valueProgram->run(inputsOf(pairs).data(), parameters, &out, pairs.count);
+}
+
+void FormulaModel::evaluate(const DirectionPairs<float>& pairs, std::span<const double> parameters, float* out) const {
+  compiled().valueProgram->run(inputsOf(pairs).data(), parameters, &out, pairs.count);
+}
+
+void FormulaModel::evaluateWithDerivatives(const DirectionPairs<double>& pairs, std::span<const double> parameters,
+                                           std::span<const std::size_t> which, double* out) const {
+  std::vector<double*> outputs;
+  for (std::size_t k = 0; k <= which.size(); ++k) outputs.push_back(out + k * pairs.count);
+  compiled().withDerivatives(which).run(inputsOf(pairs).data(), parameters, outputs.data(), pairs.count);
+}
+
+void FormulaModel::sample(const std::array<const double*, 3>& wo, const std::array<const double*, 2>& u,
+                          std::span<const double> parameters, const std::array<double*, 3>& wi, std::size_t count) const {
+  const double* const inputs[] = {nullptr, nullptr, nullptr, wo[0], wo[1], wo[2], u[0], u[1]};
+  compiled().drawProgram->run(inputs, parameters, wi.data(), count);
+}
+
+void FormulaModel::pdf(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* density) const {
+  compiled().densityProgram->run(inputsOf(pairs).data(), parameters, &density, pairs.count);
+}
+
+std::vector<double> FormulaModel::evaluateExtended(const std::array<double, 3>& wi, const std::array<double, 3>& wo,
+                                                   std::span<const double> parameters) const {
+  const Compiled& c = compiled();
+  std::vector<NodeId> roots{c.value};
+  roots.insert(roots.end(), c.derivatives.begin(), c.derivatives.end());
+  return formula::evaluateExtended(c.graph, roots, {wi[0], wi[1], wi[2], wo[0], wo[1], wo[2], 0, 0}, parameters);
+}
+
+std::string FormulaModel::glsl() const {
+  const Compiled& c = compiled();
+  formula::GlslNames names;
+  std::string arguments;
+  for (const Parameter& parameter : parameters_) {
+    names.parameters.push_back("p_" + parameter.name);
+    arguments += ", float p_" + parameter.name;
+  }
+  const auto function = [&](const std::string& head, const std::vector<NodeId>& nodes, const char* wrap) {
+    const formula::GlslBody body = formula::printGlsl(c.graph, nodes, names);
+    return head + arguments + ") {\n" + body.statements + "  return " + wrap +
+           (nodes.size() == 1 ? body.outputs[0] : "(" + joined(body.outputs) + ")") + ";\n}\n\n";
+  };
+  return function("float brdf_" + name_ + "(vec3 wi, vec3 wo", {c.value}, "") +
+         function("float brdf_" + name_ + "_pdf(vec3 wi, vec3 wo", {c.density}, "") +
+         function("vec3 brdf_" + name_ + "_sample(vec3 wo, vec2 u", c.draw, "vec3");
+}
+
+const Graph& FormulaModel::graph() const { return compiled().graph; }
+NodeId FormulaModel::valueNode() const { return compiled().value; }
+const std::vector<NodeId>& FormulaModel::derivativeNodes() const { return compiled().derivatives; }
+
+}  // namespace brdf

@@ -1,0 +1,62 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/formula/Graph.h>
+#include <brdf/formula/Program.h>
+#include <brdf/models/Model.h>
+
+#include <map>
+#include <memory>
+#include <mutex>
+
+namespace brdf {
+
+/// A Model made from one XML record (models/lobes/*.xml):
+///
+///   <model name="" title="" isotropic="yes|no" reciprocal="yes|no" clamp="yes|no">
+///     <description/>
+///     <parameter name="" default="" min="" max="" [label symbol unit softMin softMax scale="linear|log" follows]/>...
+///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test
+///     <sampler name="" arguments="expr, ..."/> of models/samplers, arguments in the model's parameters; cosine if none
+///     <reference .../>...
+///   </model>
+///
+/// clamp="yes" replaces negative values by 0. The formula is compiled at first use; formula errors appear then, or at
+/// once through `compile`.
+class BRDF_EXPORT FormulaModel final : public Model {
+ public:
+  /// Throws Error::Kind::Format when the record breaks the layout above; `where` names the file.
+  FormulaModel(std::string_view xml, const std::string& where);
+  ~FormulaModel() override;
+
+  /// Compiles now; throws Error::Kind::Formula.
+  void compile() const { compiled(); }
+
+  void evaluate(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* out) const override;
+  void evaluate(const DirectionPairs<float>& pairs, std::span<const double> parameters, float* out) const override;
+  void evaluateWithDerivatives(const DirectionPairs<double>& pairs, std::span<const double> parameters,
+                               std::span<const std::size_t> which, double* out) const override;
+  void sample(const std::array<const double*, 3>& wo, const std::array<const double*, 2>& u,
+              std::span<const double> parameters, const std::array<double*, 3>& wi, std::size_t count) const override;
+  void pdf(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* density) const override;
+  std::vector<double> evaluateExtended(const std::array<double, 3>& wi, const std::array<double, 3>& wo,
+                                       std::span<const double> parameters) const override;
+  std::string glsl() const override;
+
+  /// The graph of the value, its node, and the nodes of its derivatives in the order of parameters().
+  const formula::Graph& graph() const;
+  formula::NodeId valueNode() const;
+  const std::vector<formula::NodeId>& derivativeNodes() const;
+  const std::string& samplerName() const { return samplerName_; }
+
+ private:
+  struct Compiled;
+  Compiled& compiled() const;
+
+  std::string where_, samplerName_ = "Cosine";
+  std::vector<std::string> samplerArguments_;
+  bool clamp_ = false;
+  mutable std::once_flag once_;
+  mutable std::unique_ptr<Compiled> compiled_;
+};
+
+}  // namespace brdf

@@ -1,0 +1,76 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/models/Library.h>
+#include <brdf/models/XmlRecord.h>
+
+#include "functionFiles.h"
+#include "samplerFiles.h"
+
+namespace brdf {
+namespace {
+
+std::vector<LibraryFunction> readFunctions() {
+  std::vector<LibraryFunction> functions;
+  for (const EmbeddedFile& file : functionFiles()) {
+    pugi::xml_document document;
+    const std::string where(file.name);
+    for (const pugi::xml_node node : xmlRoot(document, file.text, where, "functions").children("function")) {
+      LibraryFunction entry;
+      entry.function.name = requiredAttribute(node, "name", where);
+      entry.function.arguments = splitArguments(node.attribute("arguments").value());
+      entry.function.body = node.child_value("body");
+      entry.function.where = "function " + entry.function.name + " (" + where + ")";
+      entry.title = requiredAttribute(node, "title", entry.function.where);
+      entry.references = readReferences(node);
+      functions.push_back(std::move(entry));
+    }
+  }
+  return functions;
+}
+
+std::vector<Sampler> readSamplers() {
+  std::vector<Sampler> samplers;
+  for (const EmbeddedFile& file : samplerFiles()) {
+    pugi::xml_document document;
+    const std::string where(file.name);
+    for (const pugi::xml_node node : xmlRoot(document, file.text, where, "samplers").children("sampler")) {
+      Sampler sampler;
+      sampler.name = requiredAttribute(node, "name", where);
+      sampler.arguments = splitArguments(node.attribute("arguments").value());
+      sampler.draw = node.child_value("draw");
+      sampler.density = node.child_value("density");
+      sampler.title = requiredAttribute(node, "title", where);
+      sampler.references = readReferences(node);
+      samplers.push_back(std::move(sampler));
+    }
+  }
+  return samplers;
+}
+
+}  // namespace
+
+const std::vector<LibraryFunction>& libraryFunctions() {
+  static const std::vector<LibraryFunction> functions = readFunctions();
+  return functions;
+}
+
+const formula::FunctionTable& functionTable() {
+  static const formula::FunctionTable table = [] {
+    formula::FunctionTable result;
+    for (const LibraryFunction& entry : libraryFunctions()) result.emplace(entry.function.name, entry.function);
+    return result;
+  }();
+  return table;
+}
+
+const Sampler& findSampler(std::string_view name, const std::string& where) {
+  static const std::vector<Sampler> samplers = readSamplers();
+  std::vector<std::string> names;
+  for (const Sampler& sampler : samplers) {
+    if (sampler.name == name) return sampler;
+    names.push_back(sampler.name);
+  }
+  throw Error(Error::Kind::Value, {"unknown sampler", where, "'" + std::string(name) + "'", joined(names)});
+}
+
+}  // namespace brdf

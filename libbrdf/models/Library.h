@@ -1,0 +1,37 @@
+#pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/formula/Parser.h>
+#include <brdf/models/Parameter.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace brdf {
+
+/// A function of the formula language that models share: a distribution D, a Fresnel term F, a visibility term V.
+struct LibraryFunction {
+  formula::Function function;
+  std::string title;
+  std::vector<Reference> references;
+};
+
+/// How a lobe draws directions: two formulas, one that assigns wx, wy, wz from random1, random2 and wo, one for the
+/// density.
+struct Sampler {
+  std::string name;
+  std::vector<std::string> arguments;
+  std::string draw;
+  std::string density;
+  std::string title;
+  std::vector<Reference> references;
+};
+
+/// The functions embedded in the library (models/functions/*.xml).
+BRDF_EXPORT const std::vector<LibraryFunction>& libraryFunctions();
+BRDF_EXPORT const formula::FunctionTable& functionTable();
+
+/// The sampler called `name` (models/samplers/*.xml); throws Error::Kind::Value with the allowed names.
+BRDF_EXPORT const Sampler& findSampler(std::string_view name, const std::string& where);
+
+}  // namespace brdf
