@@ -53,14 +53,14 @@ class Fitter {
     if (starts.empty() || optimizer_.usesDerivatives) starts.push_back(problem_.start());
     std::ranges::copy(latinHypercube(problem_, options_.starts, options_.seed), std::back_inserter(starts));
 
-    Solution best;
+    std::optional<Solution> best;
     for (const std::vector<double>& start : starts) {
-      Solution solution =
-          run(large ? polishData : data, channels, start, solveScales(problem_, scanData, channels, start));
-      if (best.shape.empty() || solution.outcome.squaredError < best.outcome.squaredError) best = std::move(solution);
+      Solution solution = run(large ? polishData : data, channels, start,
+                              separable_ ? Scales{} : solveScales(problem_, scanData, channels, start));
+      if (!best || solution.outcome.squaredError < best->outcome.squaredError) best = std::move(solution);
       if (stopped_) break;
     }
-    return large && !stopped_ ? run(data, channels, best.shape, best.scales) : best;
+    return large && !stopped_ ? run(data, channels, best->shape, best->scales) : *best;
   }
 
  private:

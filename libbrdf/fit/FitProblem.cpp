@@ -1,48 +1,16 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/FitProblem.h>
-#include <brdf/geometry/Directions.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace brdf {
 namespace {
 
-/// Whether exchanging the two parameters is the same as turning the surface by a quarter: then isotropic data cannot
-/// tell them apart. Tried on a few pairs of directions with quite different values of the two.
-bool exchangedByQuarterTurn(const Model& model, const std::vector<double>& base, std::size_t a, std::size_t b) {
-  const Parameter &first = model.parameters()[a], &second = model.parameters()[b];
-  if (first.scale != second.scale || first.minimum != second.minimum || first.maximum != second.maximum) return false;
-  constexpr std::size_t kPairs = 6;
-  DirectionPairBuffer<double> plain(kPairs), turned(kPairs);
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    const double t = static_cast<double>(i);
-    const Direction wi = fromSpherical(0.2 + 0.15 * t, 0.3 + 0.9 * t);
-    const Direction wo = fromSpherical(0.25 + 0.14 * t, 0.3 + 0.9 * t + kPi - 0.2 * t);
-    plain.set(i, wi, wo);
-    turned.set(i, {-wi[1], wi[0], wi[2]}, {-wo[1], wo[0], wo[2]});
-  }
-  std::vector<double> one = base, other = base;
-  const auto between = [](const Parameter& parameter, double fraction) {
-    return parameter.scale == Parameter::Scale::Logarithmic
-               ? parameter.softMinimum * std::pow(parameter.softMaximum / parameter.softMinimum, fraction)
-               : parameter.softMinimum + fraction * (parameter.softMaximum - parameter.softMinimum);
-  };
-  one[a] = other[b] = between(first, 0.9);
-  one[b] = other[a] = between(first, 0.6);
-  std::vector<double> values(kPairs), valuesTurned(kPairs), exchanged(kPairs);
-  model.evaluate(plain.view(), one, values.data());
-  model.evaluate(turned.view(), other, valuesTurned.data());
-  model.evaluate(plain.view(), other, exchanged.data());
-  bool same = true, matters = false;
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    const double size = std::max(std::abs(values[i]), std::abs(valuesTurned[i]));
-    same = same && std::abs(values[i] - valuesTurned[i]) <= 1e-9 * size;
-    matters = matters || std::abs(values[i] - exchanged[i]) > 1e-6 * size;
-  }
-  return same && matters;
+/// A hard lower bound that a logarithm can take: a parameter that may be 0 stops at this part of its soft range.
+double positiveMinimum(const Parameter& parameter) {
+  return parameter.minimum > 0 ? parameter.minimum : 1e-6 * std::max(parameter.softMinimum, 1e-6);
 }
 
 }  // namespace
@@ -91,16 +59,19 @@ FitProblem::FitProblem(const std::vector<LobeRequest>& requests, Symmetry target
       model.checkBounds(follower, lobe.base[follower]);
       leader[follower] = first;
     }
-    if (targetSymmetry == Symmetry::Isotropic && !model.isotropic())
-      for (std::size_t a = 0; a < count; ++a)
-        for (std::size_t b = a + 1; b < count; ++b) {
-          if (lobe.fixed[a] || lobe.fixed[b] || leader[a] != a || leader[b] != b) continue;
-          if (!exchangedByQuarterTurn(model, lobe.base, a, b)) continue;
-          leader[b] = a;
-          lobe.base[b] = lobe.base[a];
-          notes_.push_back(model.parameters()[b].name + " of " + model.name() + " is held equal to " +
-                           model.parameters()[a].name + ": the target is isotropic");
-        }
+    if (targetSymmetry == Symmetry::Isotropic)
+      for (std::size_t p = 0; p < count; ++p) {
+        const Parameter& parameter = model.parameters()[p];
+        if (parameter.follows.empty() || leader[p] != p || request.fixed.contains(parameter.name)) continue;
+        const std::size_t first = leader[model.parameterIndex(parameter.follows)];
+        if (first == p) continue;
+        leader[p] = first;
+        lobe.base[p] = lobe.base[first];
+        model.checkBounds(p, lobe.base[p]);
+        if (lobe.fixed[first]) lobe.fixed[p] = true;
+        notes_.push_back(parameter.name + " of " + model.name() + " is held equal to " +
+                         model.parameters()[first].name + ": the target is isotropic");
+      }
 
     for (std::size_t p = 0; p < count; ++p) {
       if (lobe.fixed[p] || leader[p] != p) continue;
@@ -108,7 +79,7 @@ FitProblem::FitProblem(const std::vector<LobeRequest>& requests, Symmetry target
       ShapeCoordinate coordinate;
       coordinate.lobe = lobeIndex;
       coordinate.logarithmic = parameter.scale == Parameter::Scale::Logarithmic;
-      double low = parameter.minimum, high = parameter.maximum;
+      double low = coordinate.logarithmic ? positiveMinimum(parameter) : parameter.minimum, high = parameter.maximum;
       for (std::size_t q = 0; q < count; ++q)
         if (leader[q] == p) {
           coordinate.parameters.push_back(q);

@@ -28,8 +28,8 @@ struct ShapeCoordinate {
 class FitProblem {
  public:
   /// Throws Error::Kind::Value for an unknown parameter, a value out of bounds, or a tie that cannot be. On an
-  /// isotropic target, parameters of an anisotropic lobe that differ only by a quarter turn of the surface (found by
-  /// evaluating the model) are tied: the data cannot tell them apart.
+  /// isotropic target a parameter that follows another (Parameter::follows: the roughness along y, say) is tied to it
+  /// unless the request fixes it; on others it is free.
   FitProblem(const std::vector<LobeRequest>& lobes, Symmetry targetSymmetry);
 
   std::size_t lobeCount() const { return lobes_.size(); }
