@@ -100,7 +100,7 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
     wavelengths = {555};
     report.losses.push_back("the one channel is written as values at 555 nm");
   }
-  if (brdf.symmetry() != Symmetry::Isotropic)
+  if (brdf.symmetry() == Symmetry::Anisotropic)
     report.losses.push_back("symmetry: the format's readers take the surface for isotropic");
 
   std::string text = "# " + brdf.description() + "\n# number of wavelengths\n" + std::to_string(wavelengths.size()) +

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kHeadBytes = 8192;
 
 std::vector<Format>& registry() {
-  static std::vector<Format> formats{cornellFormat(), csvFormat()};
+  static std::vector<Format> formats{merlFormat(), cornellFormat(), csvFormat()};
   return formats;
 }
 

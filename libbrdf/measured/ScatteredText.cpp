@@ -122,7 +122,7 @@ ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report) {
   std::vector<double> packed;
   for (const std::uint8_t flag : valid) kept += flag;
   ScatteredSamples result{
-      brdf.channels(), DirectionPairBuffer<double>(kept), {}, {}, brdf.symmetry() == Symmetry::Isotropic};
+      brdf.channels(), DirectionPairBuffer<double>(kept), {}, {}, brdf.symmetry() != Symmetry::Anisotropic};
   result.values.resize(channelCount * kept);
   for (std::size_t i = 0, to = 0; i < count; ++i) {
     if (!valid[i]) continue;
@@ -134,6 +134,8 @@ ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report) {
       result.values[channel * kept + to] = values[channel * count + i];
     ++to;
   }
+  if (brdf.symmetry() == Symmetry::Bilateral)
+    report.losses.push_back("symmetry: read back, pairs and their mirror images count as the same");
   if (kept < count) report.losses.push_back(std::to_string(count - kept) + " invalid samples left out");
   return result;
 }
