@@ -1,0 +1,232 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/io/StoredBrdf.h>
+#include <brdf/material/LobeSum.h>
+#include <brdf/material/ScatteredBrdf.h>
+#include <brdf/material/TableBrdf.h>
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+#include <span>
+
+namespace brdf {
+namespace {
+
+using Sizes = std::vector<std::uint64_t>;
+
+std::string valueName(std::size_t channel) { return "value_" + std::to_string(channel); }
+
+[[noreturn]] void broken(const h5::Group& group, std::string what, std::string found, std::string allowed) {
+  throw Error(Error::Kind::Format, {std::move(what), group.where(), std::move(found), std::move(allowed)});
+}
+
+template <class Enum>
+Enum restoreChoice(const h5::Group& group, const char* name, std::span<const std::string_view> names) {
+  const std::string text = group.text(name);
+  const auto found = std::find(names.begin(), names.end(), text);
+  if (found == names.end()) broken(group, std::string("unknown ") + name, text, joined(names));
+  return static_cast<Enum>(found - names.begin());
+}
+
+// ----- channels ----------------------------------------------------------------------------------------------------
+
+constexpr std::array<std::string_view, 3> kChannelKinds = {"monochrome", "rgb", "spectral"};
+
+void storeChannels(const h5::Group& group, const Channels& channels) {
+  group.setText("Channels", kChannelKinds[static_cast<std::size_t>(channels.kind)]);
+  group.setNumbers("Wavelengths_nm", channels.wavelengths);
+}
+
+Channels restoreChannels(const h5::Group& group) {
+  Channels channels{restoreChoice<Channels::Kind>(group, "Channels", kChannelKinds), group.numbers("Wavelengths_nm")};
+  const bool ascending = std::adjacent_find(channels.wavelengths.begin(), channels.wavelengths.end(),
+                                            [](double a, double b) { return !(a < b); }) == channels.wavelengths.end();
+  if ((channels.kind == Channels::Kind::Spectral) == channels.wavelengths.empty() || !ascending)
+    broken(group, "wavelengths do not fit the channels", std::to_string(channels.wavelengths.size()) + " wavelengths",
+           "ascending ones for spectral channels, none otherwise");
+  return channels;
+}
+
+// ----- sums of lobes -----------------------------------------------------------------------------------------------
+
+void storeLobes(const h5::Group& group, const LobeSum& material) {
+  storeChannels(group, material.channels());
+  const h5::Group lobes = group.createGroup("Lobes");
+  for (std::size_t i = 0; i < material.lobes().size(); ++i) {
+    const Lobe& lobe = material.lobes()[i];
+    const h5::Group part = lobes.createGroup(std::to_string(i));
+    part.setText("Model", lobe.model->name());
+    part.setNumbers("Scale", lobe.scale);
+    const h5::Group parameters = part.createGroup("Parameters");
+    for (std::size_t p = 0; p < lobe.parameters.size(); ++p)
+      parameters.setNumbers(lobe.model->parameters()[p].name, lobe.parameters[p]);
+  }
+}
+
+BrdfPointer restoreLobes(const h5::Group& group) {
+  const h5::Group stored = group.group("Lobes");
+  std::vector<Lobe> lobes;
+  for (std::size_t i = 0; stored.hasObject(std::to_string(i)); ++i) {
+    const h5::Group part = stored.group(std::to_string(i));
+    const h5::Group parameters = part.group("Parameters");
+    Lobe lobe;
+    lobe.model = findModel(part.text("Model"));
+    lobe.scale = part.numbers("Scale");
+    for (const Parameter& parameter : lobe.model->parameters())
+      lobe.parameters.push_back(parameters.numbers(parameter.name));
+    for (const std::string& name : parameters.attributeNames()) lobe.model->parameterIndex(name);  // throws: unknown
+    lobes.push_back(std::move(lobe));
+  }
+  return std::make_shared<const LobeSum>(std::move(lobes), restoreChannels(group));
+}
+
+// ----- values, a channel at a time ---------------------------------------------------------------------------------
+
+constexpr std::uint64_t kMaximumValues = std::uint64_t{1} << 29;  // 4 GiB
+
+void storeValues(const h5::Group& group, const double* values, const std::uint8_t* valid, std::size_t channels,
+                 const Sizes& shape) {
+  const std::uint64_t count = std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
+  for (std::size_t c = 0; c < channels; ++c) group.writeArray(valueName(c), values + c * count, shape);
+  group.writeArray("valid", valid, shape);
+}
+
+void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& shape, std::vector<double>& values,
+                   std::vector<std::uint8_t>& valid) {
+  const std::uint64_t count = std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
+  if (channels > kMaximumValues / std::max<std::uint64_t>(count, 1))
+    broken(group, "too many values", std::to_string(channels) + " channels of " + std::to_string(count),
+           "at most " + std::to_string(kMaximumValues));
+  if (!group.hasObject(valueName(channels - 1)))
+    broken(group, "values of some channels are missing", {}, std::to_string(channels) + " channels");
+  values.resize(channels * count);
+  for (std::size_t c = 0; c < channels; ++c) group.readArray(valueName(c), values.data() + c * count, shape);
+  valid.resize(count);
+  group.readArray("valid", valid.data(), shape);
+}
+
+// ----- tables ------------------------------------------------------------------------------------------------------
+
+const std::array<std::string, 3> kTableAxes = {"phi_d", "theta_d", "sqrt(theta_h / (pi/2))"};
+constexpr std::array<std::string_view, 2> kLookups = {"interpolated", "nearest"};
+constexpr std::array<std::string_view, 2> kPositions = {"centre", "node"};
+
+/// The table as a VTKHDF image, a point a cell at the place where its value belongs: x = phi_d, y = theta_d (radians),
+/// z = sqrt(theta_h / (pi/2)). Not as cells: VTK 9.1 asks for one more of them along each axis than there are.
+void storeTable(const h5::Group& group, const TableBrdf& table) {
+  const TableData& data = table.data();
+  const TableLayout& layout = data.layout;
+  const std::array<std::size_t, 3> sizes = {layout.phiD, layout.thetaD, layout.thetaH};
+  const std::array<double, 3> spans = {layout.reciprocal ? kPi : 2 * kPi, kPi / 2, 1};
+  std::array<std::int64_t, 6> extent{};
+  std::array<double, 3> origin{}, spacing{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    extent[2 * axis + 1] = static_cast<std::int64_t>(sizes[axis]) - 1;
+    spacing[axis] = spans[axis] / static_cast<double>(sizes[axis]);
+    origin[axis] = table.position() == TableBrdf::Position::Centre ? spacing[axis] / 2 : 0;
+  }
+  group.setIntegers("Version", std::array<std::int64_t, 2>{1, 0});
+  group.setText("Type", "ImageData");
+  group.setIntegers("WholeExtent", extent);
+  group.setNumbers("Origin", origin);
+  group.setNumbers("Spacing", spacing);
+  group.setNumbers("Direction", std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
+  group.setTexts("Axes", kTableAxes);
+  group.setTexts("AxisUnits", std::array<std::string, 3>{"rad", "rad", "1"});
+  group.setText("Quantity", "BRDF without the cosine, 1/sr");
+  group.setInteger("Reciprocal", layout.reciprocal);
+  group.setText("Lookup", kLookups[static_cast<std::size_t>(table.lookup())]);
+  group.setText("Position", kPositions[static_cast<std::size_t>(table.position())]);
+  storeChannels(group, data.channels);
+  storeValues(group.createGroup("PointData"), data.values.data(), data.valid.data(), data.channels.count(),
+              {layout.thetaH, layout.thetaD, layout.phiD});
+}
+
+BrdfPointer restoreTable(const h5::Group& group, const std::string& description) {
+  const std::vector<std::string> axes = group.texts("Axes");
+  if (!std::equal(axes.begin(), axes.end(), kTableAxes.begin(), kTableAxes.end()))
+    broken(group, "unknown axes", joined(axes), joined(kTableAxes));
+  const h5::Group cells = group.group("PointData");
+  const Sizes shape = cells.dimensions("valid");
+  if (shape.size() != 3) broken(cells, "table of the wrong shape", std::to_string(shape.size()) + " axes", "3 axes");
+  TableData data;
+  data.layout = {shape[2], shape[1], shape[0], group.integer("Reciprocal") != 0};
+  data.channels = restoreChannels(group);
+  restoreValues(cells, data.channels.count(), shape, data.values, data.valid);
+  return std::make_shared<const TableBrdf>(std::move(data), description,
+                                           restoreChoice<TableBrdf::Lookup>(group, "Lookup", kLookups),
+                                           restoreChoice<TableBrdf::Position>(group, "Position", kPositions));
+}
+
+// ----- scattered samples -------------------------------------------------------------------------------------------
+
+void storeSamples(const h5::Group& group, const Brdf& brdf) {
+  const SampleSet& samples = *brdf.samples();
+  const std::size_t count = samples.count(), channels = samples.channels().count();
+  storeChannels(group, samples.channels());
+  group.setInteger("Isotropic", brdf.symmetry() == Symmetry::Isotropic);
+  DirectionPairBuffer<double> pairs;
+  std::vector<double> values(count * channels);
+  std::vector<std::uint8_t> valid(count);
+  samples.read(0, count, &pairs, values.data(), valid.data());
+  const auto storeDirections = [&](const char* name, const std::array<std::vector<double>, 3>& directions) {
+    std::vector<double> interleaved(count * 3);
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) interleaved[3 * i + axis] = directions[axis][i];
+    group.writeArray(name, interleaved.data(), Sizes{count, 3});
+  };
+  storeDirections("wi", pairs.wi);
+  storeDirections("wo", pairs.wo);
+  for (std::size_t c = 0; c < channels; ++c) group.writeArray(valueName(c), values.data() + c * count, Sizes{count});
+  group.writeArray("valid", valid.data(), Sizes{count});
+}
+
+BrdfPointer restoreSamples(const h5::Group& group, const std::string& description) {
+  ScatteredSamples samples;
+  samples.channels = restoreChannels(group);
+  samples.isotropic = group.integer("Isotropic") != 0;
+  const std::uint64_t count = group.dimensions("wi")[0];
+  const auto restoreDirections = [&](const char* name, std::array<std::vector<double>, 3>& directions) {
+    std::vector<double> interleaved(count * 3);
+    group.readArray(name, interleaved.data(), Sizes{count, 3});
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) directions[axis][i] = interleaved[3 * i + axis];
+  };
+  if (group.dimensions("wi") != Sizes{count, 3}) broken(group, "wi is not a list of directions", {}, "count x 3");
+  samples.pairs.resize(count);
+  restoreDirections("wi", samples.pairs.wi);
+  restoreDirections("wo", samples.pairs.wo);
+  restoreValues(group, samples.channels.count(), {count}, samples.values, samples.valid);
+  return std::make_shared<const ScatteredBrdf>(std::move(samples), description);
+}
+
+}  // namespace
+
+std::string storeBrdf(const h5::Group& group, const Brdf& brdf) {
+  if (const auto* material = dynamic_cast<const LobeSum*>(&brdf)) {
+    storeLobes(group, *material);
+    return "analytic";
+  }
+  if (const auto* table = dynamic_cast<const TableBrdf*>(&brdf)) {
+    storeTable(group, *table);
+    return "table";
+  }
+  if (brdf.samples()) {
+    storeSamples(group, brdf);
+    return "scattered";
+  }
+  throw Error(Error::Kind::Value, {"a container cannot keep this kind of BRDF", group.where(), brdf.description(),
+                                   "sums of lobes, tables, and data with samples: tabulate it first"});
+}
+
+BrdfPointer restoreBrdf(const h5::Group& group, const std::string& kind, const std::string& description) {
+  if (kind == "analytic") return restoreLobes(group);
+  if (kind == "table") return restoreTable(group, description);
+  if (kind == "scattered") return restoreSamples(group, description);
+  broken(group, "unknown kind of entry", kind, "analytic, table, scattered");
+}
+
+}  // namespace brdf
