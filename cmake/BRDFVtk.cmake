@@ -1,9 +1,8 @@
 # The VTK module BRDF::vtkfilters and its Python package `brdflab`.
 #
 # Components are always named: without the list VTK 9.1 demands Qt 5.
-set(brdf_vtk_components ChartsCore CommonColor CommonCore CommonDataModel CommonExecutionModel FiltersCore
-  FiltersGeneral FiltersSources IOImage IOXML InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType
-  RenderingOpenGL2 RenderingUI)
+set(brdf_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersSources IOCore IOGeometry
+  IOImage IOPLY IOXML RenderingCore RenderingFreeType RenderingOpenGL2)
 if (BRDF_BUILD_PYTHON)
   list(APPEND brdf_vtk_components Python WrappingPythonCore WrappingTools)
 endif ()

@@ -8,6 +8,6 @@
 """
 
 # VTK's wrapped classes that ours derive from have to be loaded first.
-from vtkmodules import vtkCommonExecutionModel, vtkRenderingOpenGL2  # noqa: F401
+from vtkmodules import vtkCommonExecutionModel, vtkIOCore, vtkRenderingOpenGL2  # noqa: F401
 
 from .vtkBRDFFilters import *  # noqa: F401,F403

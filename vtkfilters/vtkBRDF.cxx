@@ -111,8 +111,8 @@ double vtkBRDF::GetWavelength(int channel) const
 {
   const auto* wavelengths = this->Brdf ? &this->Brdf->channels().wavelengths : nullptr;
   return wavelengths && channel >= 0 && static_cast<std::size_t>(channel) < wavelengths->size()
-    ? (*wavelengths)[channel]
-    : 0;
+           ? (*wavelengths)[channel]
+           : 0;
 }
 
 vtkIdType vtkBRDF::GetNumberOfSamples() const
@@ -149,8 +149,9 @@ bool vtkBRDF::Evaluate(vtkDataArray* wi, vtkDataArray* wo, vtkDataArray* values,
   const vtkIdType count = wi->GetNumberOfTuples();
   if (wi->GetNumberOfComponents() != 3 || wo->GetNumberOfComponents() != 3 || wo->GetNumberOfTuples() != count)
   {
-    vtkErrorMacro("wi and wo need three components and equal length; found " << wi->GetNumberOfComponents() << " x "
-      << count << " and " << wo->GetNumberOfComponents() << " x " << wo->GetNumberOfTuples());
+    vtkErrorMacro("wi and wo need three components and equal length; found "
+                  << wi->GetNumberOfComponents() << " x " << count << " and " << wo->GetNumberOfComponents() << " x "
+                  << wo->GetNumberOfTuples());
     return false;
   }
   try

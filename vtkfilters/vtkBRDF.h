@@ -16,9 +16,9 @@ class Brdf;
  * @class vtkBRDF
  * @brief A BRDF on a VTK pipeline
  *
- * Shares one immutable brdf::Brdf: copies, shallow or deep, cost nothing. Conventions: local frame with the normal +z and
- * the tangent +x; `wi` points to the light, `wo` to the viewer, both of unit length; values are f_r in 1/sr without the
- * cosine, 0 where either direction is below the horizon.
+ * Shares one immutable brdf::Brdf: copies, shallow or deep, cost nothing. Conventions: local frame with the normal +z
+ * and the tangent +x; `wi` points to the light, `wo` to the viewer, both of unit length; values are f_r in 1/sr without
+ * the cosine, 0 where either direction is below the horizon.
  *
  * Field data (kept up to date by SetBrdf, passed on by our filters): the string array "vtkBRDF" holds the description;
  * for a sum of lobes each parameter is an array "<lobe number>.<model>.<parameter>" of one value, or one a channel.
@@ -56,8 +56,8 @@ public:
 
   /**
    * Values for whole arrays of directions, on all threads: `wi` and `wo` have three components and as many tuples;
-   * `values` is resized to as many tuples with one component a channel. `valid`, when given, gets one component: 1 where
-   * the BRDF has a value, 0 where it does not (an unmeasured cell, whose values are 0). False after an error.
+   * `values` is resized to as many tuples with one component a channel. `valid`, when given, gets one component: 1
+   * where the BRDF has a value, 0 where it does not (an unmeasured cell, whose values are 0). False after an error.
    */
   bool Evaluate(vtkDataArray* wi, vtkDataArray* wo, vtkDataArray* values, vtkDataArray* valid = nullptr);
 

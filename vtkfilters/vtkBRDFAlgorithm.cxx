@@ -47,7 +47,8 @@ std::shared_ptr<const brdf::Brdf> vtkBRDFAlgorithm::GetInputBrdf(vtkInformationV
   vtkBRDF* input = vtkBRDF::GetData(inputs[port]);
   if (!input || !input->GetBrdf())
   {
-    throw brdf::Error(brdf::Error::Kind::Value,
+    throw brdf::Error(
+      brdf::Error::Kind::Value,
       { "no BRDF", "input port " + std::to_string(port), input ? "an empty vtkBRDF" : "nothing", "a vtkBRDF" });
   }
   return input->GetBrdf();
@@ -88,8 +89,7 @@ int vtkBRDFAlgorithm::AskForWholeInputs(vtkInformationVector** inputs)
   return 1;
 }
 
-int vtkBRDFAlgorithm::Execute(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkBRDFAlgorithm::Execute(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   bool makesBrdf = false;
   bool otherRank = false;
@@ -110,8 +110,9 @@ int vtkBRDFAlgorithm::Execute(
   return result;
 }
 
-vtkTypeBool vtkBRDFAlgorithm::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+vtkTypeBool vtkBRDFAlgorithm::ProcessRequest(vtkInformation* request,
+                                             vtkInformationVector** inputs,
+                                             vtkInformationVector* outputs)
 {
   try
   {

@@ -21,8 +21,8 @@ class Brdf;
  * - Ports: inputs take vtkBRDF; outputs are vtkBRDF unless FillOutputPortInformation of a subclass names another type.
  * - Pieces: a BRDF is wanted whole by every rank, so upstream is asked for piece 0 of 1; a vtkBRDF output is made on
  *   every rank, any other output (geometry, image, table) on rank 0 only and left empty elsewhere.
- * - Errors: an exception in RequestData becomes vtkErrorMacro and GetErrorText(), the outputs are emptied and the update
- *   fails. No exception leaves the class.
+ * - Errors: an exception in RequestData becomes vtkErrorMacro and GetErrorText(), the outputs are emptied and the
+ * update fails. No exception leaves the class.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFAlgorithm : public vtkAlgorithm
 {
@@ -40,8 +40,9 @@ public:
   /** Why the last execution failed, in one line; empty when it succeeded. */
   std::string GetErrorText() const { return this->ErrorText; }
 
-  vtkTypeBool ProcessRequest(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-    override;
+  vtkTypeBool ProcessRequest(vtkInformation* request,
+                             vtkInformationVector** inputs,
+                             vtkInformationVector* outputs) override;
 
 protected:
   vtkBRDFAlgorithm();

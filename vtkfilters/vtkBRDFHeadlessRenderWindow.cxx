@@ -34,8 +34,10 @@ bool Has(const char* extensions, const char* name)
 
 EGLContext CreateContext(const Display& display)
 {
-  const std::array<EGLint, 7> attributes = { EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2,
-    EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE };
+  const std::array<EGLint, 7> attributes = {
+    EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 2, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+    EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE
+  };
   eglBindAPI(EGL_OPENGL_API);
   return eglCreateContext(display.Handle, display.Config, EGL_NO_CONTEXT, attributes.data());
 }
@@ -65,8 +67,9 @@ bool Open(Display& display, EGLenum platform, void* device, const char* name)
   {
     return false;
   }
-  const std::array<EGLint, 5> attributes = { EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
-    EGL_NONE };
+  const std::array<EGLint, 5> attributes = {
+    EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE
+  };
   EGLint count = 0;
   if (!eglChooseConfig(candidate.Handle, attributes.data(), &candidate.Config, 1, &count) || count == 0)
   {
@@ -88,8 +91,7 @@ bool OpenDevice(Display& display, bool software)
     reinterpret_cast<PFNEGLQUERYDEVICESTRINGEXTPROC>(eglGetProcAddress("eglQueryDeviceStringEXT"));
   std::array<EGLDeviceEXT, 32> devices{};
   EGLint count = 0;
-  if (!queryDevices || !queryDeviceString ||
-    !queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count))
+  if (!queryDevices || !queryDeviceString || !queryDevices(static_cast<EGLint>(devices.size()), devices.data(), &count))
   {
     return false;
   }
@@ -97,7 +99,7 @@ bool OpenDevice(Display& display, bool software)
   {
     const char* extensions = queryDeviceString(devices[i], EGL_EXTENSIONS);
     if (Has(extensions, "EGL_MESA_device_software") == software &&
-      Open(display, EGL_PLATFORM_DEVICE_EXT, devices[i], software ? "EGL software device" : "EGL device"))
+        Open(display, EGL_PLATFORM_DEVICE_EXT, devices[i], software ? "EGL software device" : "EGL device"))
     {
       return true;
     }
@@ -161,8 +163,9 @@ vtkBRDFHeadlessRenderWindow::vtkBRDFHeadlessRenderWindow()
   if (!this->Egl->MakeCurrent())
   {
     this->Egl.reset();
-    this->ErrorText = "no EGL: no headless OpenGL 3.2 context on a device or Mesa's surfaceless platform (Debian package "
-                      "libgl1-mesa-dri has a software one)";
+    this->ErrorText =
+      "no EGL: no headless OpenGL 3.2 context on a device or Mesa's surfaceless platform (Debian package "
+      "libgl1-mesa-dri has a software one)";
     this->ReadyForRendering = false;
     return;
   }
@@ -251,7 +254,8 @@ std::string vtkBRDFHeadlessRenderWindow::GetDeviceDescription()
   }
   this->Initialize();
   this->MakeCurrent();
-  const auto text = [](GLenum name) {
+  const auto text = [](GLenum name)
+  {
     const auto* value = reinterpret_cast<const char*>(glGetString(name));
     return std::string(value ? value : "?");
   };

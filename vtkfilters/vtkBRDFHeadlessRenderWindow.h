@@ -10,10 +10,10 @@
  * @class vtkBRDFHeadlessRenderWindow
  * @brief A render window without a window system
  *
- * Draws into an off-screen framebuffer of its own EGL context (OpenGL 3.2 core or later) without a surface: no X server,
- * no DISPLAY. A hardware device is taken first, then Mesa's surfaceless platform, then its software device; set
- * LIBGL_ALWAYS_SOFTWARE=1 for software everywhere. Any number of these windows may live in a process; they may be resized
- * and destroyed in any order. One thread at a time.
+ * Draws into an off-screen framebuffer of its own EGL context (OpenGL 3.2 core or later) without a surface: no X
+ * server, no DISPLAY. A hardware device is taken first, then Mesa's surfaceless platform, then its software device; set
+ * LIBGL_ALWAYS_SOFTWARE=1 for software everywhere. Any number of these windows may live in a process; they may be
+ * resized and destroyed in any order. One thread at a time.
  *
  * New() never fails: where there is no EGL, IsAvailable() is false, GetErrorText() says why, Render() is an error and
  * draws nothing.
