@@ -57,6 +57,8 @@ std::string readFileHead(const std::filesystem::path& path, std::size_t count) {
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
   if (target_.empty()) fail("output", "no file name given");
   if (std::filesystem::is_directory(target_)) fail(target_, "cannot be written", "a folder", "a file name");
+  if (std::filesystem::exists(target_) && !std::filesystem::is_regular_file(target_))
+    fail(target_, "cannot be replaced", "a device or pipe", "a file name");  // a rename would destroy it
   const auto folder = target_.has_parent_path() ? target_.parent_path() : std::filesystem::path(".");
   if (!std::filesystem::is_directory(folder)) fail(target_, "cannot be written", "no folder " + folder.string());
   static std::atomic<unsigned> counter{0};

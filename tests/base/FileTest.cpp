@@ -44,3 +44,5 @@ TEST(File, ErrorsNameTheFile) {
   brdf::writeFile(path, std::string(100, 'x'));
   EXPECT_THROW(brdf::readFile(path, 99), brdf::Error);
 }
+
+TEST(File, DevicesAreNeverReplaced) { EXPECT_THROW(brdf::AtomicFile("/dev/null"), brdf::Error); }

@@ -1,5 +1,8 @@
+#include <brdf/material/ChannelView.h>
 #include <brdf/material/ScatteredBrdf.h>
+#include <brdf/measured/Format.h>
 
+#include <algorithm>
 #include <random>
 
 #include "MeasuredSupport.h"
@@ -109,8 +112,8 @@ TEST(ScatteredBrdf, UnusableSamplesAreInvalidAndDoNotSpreadNan) {
 
 TEST(ScatteredBrdf, BelowTheHorizonIsZeroAndValid) {
   const ScatteredBrdf brdf(sampled(20, true, measuredtest::glossy), "test");
-  brdf::DirectionPairBuffer<double> pairs;
-  pairs.push({0, 0, 1}, {0.6, 0, -0.8});
+  brdf::DirectionPairBuffer<double> pairs(1);
+  pairs.set(0, {0, 0, 1}, {0.6, 0, -0.8});
   double value = 1;
   std::uint8_t valid = 0;
   brdf.evaluate(pairs.view(), &value, &valid);
@@ -135,8 +138,8 @@ TEST(ScatteredBrdf, WithoutAValidSampleEverythingIsInvalid) {
   ScatteredSamples samples = sampled(1, true, measuredtest::glossy);
   samples.valid = {0};
   const ScatteredBrdf brdf(std::move(samples), "test");
-  brdf::DirectionPairBuffer<double> pairs;
-  pairs.push({0, 0, 1}, {0, 0, 1});
+  brdf::DirectionPairBuffer<double> pairs(1);
+  pairs.set(0, {0, 0, 1}, {0, 0, 1});
   double value = 1;
   std::uint8_t valid = 1;
   brdf.evaluate(pairs.view(), &value, &valid);
@@ -148,4 +151,31 @@ TEST(ScatteredBrdf, ArraysOfDifferentLengthsAreAnError) {
   ScatteredSamples samples = sampled(5, true, measuredtest::glossy);
   samples.values.pop_back();
   EXPECT_THROW(ScatteredBrdf(std::move(samples), "test"), brdf::Error);
+}
+
+TEST(ScatteredBrdf, PredictsLeftOutMeasurementsAsWellAsItsDocumentationSays) {
+  const struct {
+    const char* name;
+    double median;
+  } cases[] = {{"garnet_red", 0.013}, {"acryl_blue", 0.026}};
+  for (const auto& [name, median] : cases) {
+    const auto path = std::filesystem::path(BRDF_SHARED_DIR) / "data/measured" / (std::string(name) + ".brdf");
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << "no file " << path;
+    const auto luminance = brdf::asLuminance(brdf::readMeasured(path).brdf);
+    ScatteredSamples all;
+    all.values.resize(luminance->samples()->count());
+    luminance->samples()->read(0, all.values.size(), &all.pairs, all.values.data(), nullptr);
+    std::vector<double> errors;
+    for (std::size_t left = 0; left < all.values.size(); ++left) {
+      ScatteredSamples others = all;
+      others.valid.assign(all.values.size(), 1);
+      others.valid[left] = 0;
+      const ScatteredBrdf brdf(std::move(others), "others");
+      double value = 0;
+      brdf.evaluate(all.pairs.view().slice(left, 1), &value, nullptr);
+      errors.push_back(std::abs(value / all.values[left] - 1));
+    }
+    std::sort(errors.begin(), errors.end());
+    EXPECT_NEAR(errors[errors.size() / 2], median, 0.0005) << name;
+  }
 }

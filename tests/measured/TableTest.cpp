@@ -169,8 +169,8 @@ TEST(TableBrdf, HolesAreFilledFromValidNeighboursOnlyAndInvalidInside) {
   const TableBrdf table(std::move(data), "hole");
   const auto at = [&](double position, std::uint8_t& valid) {
     const auto pair = brdf::fromHalfDifference({brdf::radians(position * position / 90), 0, 0.5, 1.0});
-    brdf::DirectionPairBuffer<double> pairs;
-    pairs.push(pair.wi, pair.wo);
+    brdf::DirectionPairBuffer<double> pairs(1);
+    pairs.set(0, pair.wi, pair.wo);
     double value = -1;
     table.evaluate(pairs.view(), &value, &valid);
     return value;
