@@ -24,7 +24,8 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 
 }  // namespace
 
-Error::Error(Kind kind, Details details) : std::runtime_error(oneLine(details)), kind_(kind), details_(std::move(details)) {}
+Error::Error(Kind kind, Details details)
+    : std::runtime_error(oneLine(details)), kind_(kind), details_(std::move(details)) {}
 
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);

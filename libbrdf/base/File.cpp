@@ -52,7 +52,9 @@ std::string readFile(const std::filesystem::path& path, std::uint64_t maximumByt
   return readAtMost(path, maximumBytes, true);
 }
 
-std::string readFileHead(const std::filesystem::path& path, std::size_t count) { return readAtMost(path, count, false); }
+std::string readFileHead(const std::filesystem::path& path, std::size_t count) {
+  return readAtMost(path, count, false);
+}
 
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
   if (target_.empty()) fail("output", "no file name given");

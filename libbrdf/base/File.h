@@ -10,7 +10,8 @@ namespace brdf {
 
 /// The whole file as bytes. Throws Error::Kind::File when it is missing, a folder, unreadable, or larger than
 /// `maximumBytes` (default 4 GiB).
-BRDF_EXPORT std::string readFile(const std::filesystem::path& path, std::uint64_t maximumBytes = std::uint64_t{4} << 30);
+BRDF_EXPORT std::string readFile(const std::filesystem::path& path,
+                                 std::uint64_t maximumBytes = std::uint64_t{4} << 30);
 
 /// At most the first `count` bytes of the file, for recognising its format. Throws as readFile does.
 BRDF_EXPORT std::string readFileHead(const std::filesystem::path& path, std::size_t count);

@@ -28,65 +28,183 @@ Wide widePow(const Wide& a, const Wide& b) {
 Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
   const auto truth = [](bool value) { return Wide(value ? 1 : 0); };
   switch (op) {
-    case Op::Neg: return -a;
-    case Op::Abs: return abs(a);
-    case Op::Sqrt: return a < 0 ? std::numeric_limits<Wide>::quiet_NaN() : Wide(sqrt(a));
-    case Op::Exp: return exp(a);
-    case Op::Expm1: return abs(a) < 0.5 ? boost::math::expm1(a) : Wide(exp(a) - 1);
-    case Op::Log: return wideLog(a);
-    case Op::Log1p: return abs(a) < 0.5 ? boost::math::log1p(a) : wideLog(1 + a);
-    case Op::Sin: return sin(a);
-    case Op::Cos: return cos(a);
-    case Op::Tan: return tan(a);
-    case Op::Asin: return asin(clampToOne(a));
-    case Op::Acos: return acos(clampToOne(a));
-    case Op::Atan: return atan(a);
-    case Op::Sinh: return sinh(a);
-    case Op::Cosh: return cosh(a);
-    case Op::Tanh: return tanh(a);
-    case Op::Erf: return boost::math::erf(a);
-    case Op::Erfc: return boost::math::erfc(a);
-    case Op::Lgamma: return boost::math::lgamma(a);
-    case Op::Digamma: return a > 0 ? boost::math::digamma(a) : std::numeric_limits<Wide>::quiet_NaN();
-    case Op::Floor: return floor(a);
-    case Op::Not: return truth(a == 0);
-    case Op::Add: return a + b;
-    case Op::Sub: return a - b;
-    case Op::Mul: return a * b;
-    case Op::Div: return a / b;
-    case Op::Pow: return widePow(a, b);
-    case Op::Min: return b < a ? b : a;
-    case Op::Max: return b > a ? b : a;
-    case Op::Atan2: return atan2(a, b);
-    case Op::Less: return truth(a < b);
-    case Op::LessEqual: return truth(a <= b);
-    case Op::Equal: return truth(a == b);
-    case Op::And: return truth(a != 0 && b != 0);
-    case Op::Or: return truth(a != 0 || b != 0);
-    case Op::Select: return a != 0 ? b : c;
-    default: return a;
+    case Op::Neg:
+      return -a;
+    case Op::Abs:
+      return abs(a);
+    case Op::Sqrt:
+      return a < 0 ? std::numeric_limits<Wide>::quiet_NaN() : Wide(sqrt(a));
+    case Op::Exp:
+      return exp(a);
+    case Op::Expm1:
+      return abs(a) < 0.5 ? boost::math::expm1(a) : Wide(exp(a) - 1);
+    case Op::Log:
+      return wideLog(a);
+    case Op::Log1p:
+      return abs(a) < 0.5 ? boost::math::log1p(a) : wideLog(1 + a);
+    case Op::Sin:
+      return sin(a);
+    case Op::Cos:
+      return cos(a);
+    case Op::Tan:
+      return tan(a);
+    case Op::Asin:
+      return asin(clampToOne(a));
+    case Op::Acos:
+      return acos(clampToOne(a));
+    case Op::Atan:
+      return atan(a);
+    case Op::Sinh:
+      return sinh(a);
+    case Op::Cosh:
+      return cosh(a);
+    case Op::Tanh:
+      return tanh(a);
+    case Op::Erf:
+      return boost::math::erf(a);
+    case Op::Erfc:
+      return boost::math::erfc(a);
+    case Op::Lgamma:
+      return boost::math::lgamma(a);
+    case Op::Digamma:
+      return a > 0 ? boost::math::digamma(a) : std::numeric_limits<Wide>::quiet_NaN();
+    case Op::Floor:
+      return floor(a);
+    case Op::Not:
+      return truth(a == 0);
+    case Op::Add:
+      return a + b;
+    case Op::Sub:
+      return a - b;
+    case Op::Mul:
+      return a * b;
+    case Op::Div:
+      return a / b;
+    case Op::Pow:
+      return widePow(a, b);
+    case Op::Min:
+      return b < a ? b : a;
+    case Op::Max:
+      return b > a ? b : a;
+    case Op::Atan2:
+      return atan2(a, b);
+    case Op::Less:
+      return truth(a < b);
+    case Op::LessEqual:
+      return truth(a <= b);
+    case Op::Equal:
+      return truth(a == b);
+    case Op::And:
+      return truth(a != 0 && b != 0);
+    case Op::Or:
+      return truth(a != 0 || b != 0);
+    case Op::Select:
+      return a != 0 ? b : c;
+    default:
+      return a;
   }
 }
 
+/// Walks the graph scope by scope, as Program does, with loops written out plainly.
+class Evaluator {
+ public:
+  Evaluator(const Graph& graph, const InputLane& inputs, const std::vector<Wide>& parameters)
+      : graph_(graph), inputs_(inputs), parameters_(parameters), scopes_(graph.scopes()), values_(graph.size()) {}
+
+  std::vector<Wide> run(const std::vector<NodeId>& roots) {
+    evaluateScope(0, graph_.reachable(roots));
+    std::vector<Wide> results;
+    for (const NodeId root : roots) results.push_back(values_[root]);
+    return results;
+  }
+
+ private:
+  void evaluateScope(std::uint32_t scope, const std::vector<bool>& wanted) {
+    for (NodeId id = 0; id < wanted.size(); ++id) {
+      if (!wanted[id] || scopes_[id] != scope) continue;
+      const Node& node = graph_[id];
+      const auto operand = [&](int k) -> const Wide& { return values_[node.operands[k]]; };
+      switch (node.op) {
+        case Op::Constant:
+          values_[id] = node.value;
+          break;
+        case Op::Input:
+          values_[id] = inputs_[node.index];
+          break;
+        case Op::Parameter:
+          values_[id] = parameters_[node.index];
+          break;
+        case Op::Bound:
+          break;  // set by its loop
+        case Op::Sum:
+          values_[id] = sum(node);
+          break;
+        case Op::Solve:
+          values_[id] = solve(node);
+          break;
+        default:
+          values_[id] = apply(node.op, operand(0), operand(1), operand(2));
+      }
+    }
+  }
+
+  struct Body {
+    std::vector<bool> wanted;
+    std::vector<NodeId> bound;  ///< the node of the loop's variable, when the body uses it
+  };
+  Body bodyOf(const Node& node, const std::vector<NodeId>& roots) const {
+    Body body{graph_.reachable(roots), {}};
+    for (NodeId id = 0; id < body.wanted.size(); ++id)
+      if (body.wanted[id] && graph_[id].op == Op::Bound && graph_[id].index == node.index) body.bound.push_back(id);
+    return body;
+  }
+  void evaluateBody(const Node& node, const Body& body, const Wide& x) {
+    for (const NodeId id : body.bound) values_[id] = x;
+    evaluateScope(node.index + 1, body.wanted);
+  }
+
+  Wide sum(const Node& node) {
+    const Body body = bodyOf(node, {node.operands[2]});
+    const Wide last = values_[node.operands[1]];
+    Wide k = values_[node.operands[0]], total = 0, previous = 0;
+    for (int terms = 0, small = 0; terms < kMaximumTerms && k <= last && small < 2; ++terms, k += 1) {
+      evaluateBody(node, body, k);
+      const Wide term = values_[node.operands[2]], size = abs(term);
+      total += term;
+      small = size < previous && size <= node.value * abs(total) ? small + 1 : 0;
+      previous = size;
+    }
+    return total;
+  }
+
+  /// Bisection to the last bit that matters; slow and plain.
+  Wide solve(const Node& node) {
+    const Body body = bodyOf(node, {node.operands[2]});
+    const auto f = [&](const Wide& x) {
+      evaluateBody(node, body, x);
+      return values_[node.operands[2]];
+    };
+    Wide low = values_[node.operands[0]], high = values_[node.operands[1]];
+    const Wide atLow = f(low), atHigh = f(high);
+    if (atHigh == 0) return high;
+    if ((atLow > 0) == (atHigh > 0)) return abs(atHigh) < abs(atLow) ? high : low;
+    for (int k = 0; k < 180; ++k) {
+      const Wide middle = (low + high) / 2;
+      ((f(middle) > 0) == (atLow > 0) ? low : high) = middle;
+    }
+    return (low + high) / 2;
+  }
+
+  const Graph& graph_;
+  const InputLane& inputs_;
+  const std::vector<Wide>& parameters_;
+  std::vector<std::uint32_t> scopes_;
+  std::vector<Wide> values_;
+};
+
 std::vector<Wide> evaluate(const Graph& graph, const std::vector<NodeId>& roots, const InputLane& inputs,
                            const std::vector<Wide>& parameters) {
-  const std::vector<bool> needed = graph.reachable(roots);
-  std::vector<Wide> values(graph.size());
-  for (NodeId id = 0; id < graph.size(); ++id) {
-    if (!needed[id]) continue;
-    const Node& node = graph[id];
-    if (node.op == Op::Constant)
-      values[id] = node.value;
-    else if (node.op == Op::Input)
-      values[id] = inputs[node.index];
-    else if (node.op == Op::Parameter)
-      values[id] = parameters[node.index];
-    else
-      values[id] = apply(node.op, values[node.operands[0]], values[node.operands[1]], values[node.operands[2]]);
-  }
-  std::vector<Wide> results;
-  for (const NodeId root : roots) results.push_back(values[root]);
-  return results;
+  return Evaluator(graph, inputs, parameters).run(roots);
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ std::string functionName(Op op) {
     case Op::Tan:
     case Op::Floor:
     case Op::Min:
-    case Op::Max: return std::string(opName(op));
+    case Op::Max:
+      return std::string(opName(op));
     case Op::Exp:
     case Op::Expm1:
     case Op::Log:
@@ -38,8 +39,10 @@ std::string functionName(Op op) {
     case Op::Erfc:
     case Op::Lgamma:
     case Op::Digamma:
-    case Op::Pow: return "brdf_" + std::string(opName(op));
-    default: return {};
+    case Op::Pow:
+      return "brdf_" + std::string(opName(op));
+    default:
+      return {};
   }
 }
 
@@ -54,29 +57,101 @@ std::string literal(double value) {
 
 class Printer {
  public:
-  Printer(const Graph& graph, const GlslNames& names) : graph_(graph), names_(names) {}
+  Printer(const Graph& graph, const GlslNames& names) : graph_(graph), names_(names), scopes_(graph.scopes()) {}
 
   GlslBody run(const std::vector<NodeId>& outputs) {
     const std::vector<bool> needed = graph_.reachable(outputs);
-    std::vector<int> uses(needed.size(), 0);
+    uses_.assign(needed.size(), 0);
     for (NodeId id = 0; id < needed.size(); ++id)
-      for (int k = 0; needed[id] && k < arity(graph_[id].op); ++k) ++uses[graph_[id].operands[k]];
-    text_.assign(needed.size(), {});
-    GlslBody body;
-    for (NodeId id = 0; id < needed.size(); ++id) {
-      if (!needed[id]) continue;
-      text_[id] = print(id);
-      if (uses[id] > 1 && arity(graph_[id].op) > 0) {
-        const std::string name = "t" + std::to_string(id);
-        body.statements += "  " + std::string(isTruth(graph_[id].op) ? "bool " : "float ") + name + " = " + text_[id] + ";\n";
-        text_[id] = name;
+      for (int k = 0; needed[id] && k < arity(graph_[id].op); ++k) {
+        const NodeId operand = graph_[id].operands[k];
+        uses_[operand] += scopes_[operand] == scopes_[id] ? 1 : 2;  // named outside the loop that repeats its use
       }
-    }
+    text_.assign(needed.size(), {});
+    printScope(0, needed);
+    GlslBody body;
+    body.statements = std::move(statements_);
     for (const NodeId output : outputs) body.outputs.push_back(number(output));
     return body;
   }
 
  private:
+  void line(const std::string& text) { statements_ += std::string(2 * depth_, ' ') + text + "\n"; }
+
+  void printScope(std::uint32_t scope, const std::vector<bool>& wanted) {
+    for (NodeId id = 0; id < wanted.size(); ++id) {
+      if (!wanted[id] || scopes_[id] != scope) continue;
+      const Op op = graph_[id].op;
+      const std::string name = "t" + std::to_string(id);
+      if (op == Op::Bound) {
+        text_[id] = "x" + std::to_string(graph_[id].index);
+      } else if (op == Op::Sum) {
+        printSum(graph_[id], name);
+        text_[id] = name;
+      } else if (op == Op::Solve) {
+        printSolve(graph_[id], name);
+        text_[id] = name;
+      } else {
+        text_[id] = print(id);
+        if (uses_[id] > 1 && arity(op) > 0) {
+          line((isTruth(op) ? "bool " : "float ") + name + " = " + text_[id] + ";");
+          text_[id] = name;
+        }
+      }
+    }
+  }
+
+  // The same steps as formula/Loops.h.
+  void printSum(const Node& node, const std::string& name) {
+    const std::string x = "x" + std::to_string(node.index);
+    line("float " + name + " = 0.0, " + name + "_last = 0.0;");
+    line("int " + name + "_small = 0, " + name + "_terms = 0;");
+    line("for (float " + x + " = " + number(node.operands[0]) + "; " + x + " <= " + number(node.operands[1]) + " && " +
+         name + "_small < 2 && " + name + "_terms < " + std::to_string(kMaximumTerms) + "; " + x + " += 1.0, ++" +
+         name + "_terms) {");
+    ++depth_;
+    printScope(node.index + 1, graph_.reachable({node.operands[2]}));
+    line("float " + name + "_term = " + number(node.operands[2]) + ";");
+    line(name + " += " + name + "_term;");
+    line(name + "_small = abs(" + name + "_term) < " + name + "_last && abs(" + name +
+         "_term) <= " + literal(node.value) + " * abs(" + name + ") ? " + name + "_small + 1 : 0;");
+    line(name + "_last = abs(" + name + "_term);");
+    --depth_;
+    line("}");
+  }
+
+  void printSolve(const Node& node, const std::string& name) {
+    const std::string x = "x" + std::to_string(node.index), low = name + "_low", high = name + "_high";
+    line("float " + low + " = " + number(node.operands[0]) + ", " + high + " = " + number(node.operands[1]) + ";");
+    line("float " + x + " = " + low + ", " + name + " = " + low + ", " + name + "_first = 0.0;");
+    line("for (int " + name + "_round = 1; " + name + "_round < 60; ++" + name + "_round) {");
+    ++depth_;
+    printScope(node.index + 1, graph_.reachable({node.operands[2], node.operands[3]}));
+    line("float f = " + number(node.operands[2]) + ";");
+    line("if (" + name + "_round == 1) {");
+    line("  " + name + "_first = f;");
+    line("  " + x + " = " + high + ";");
+    line("} else if (" + name + "_round == 2 && (f > 0.0) == (" + name + "_first > 0.0) && f != 0.0) {");
+    line("  " + name + " = abs(f) < abs(" + name + "_first) ? " + high + " : " + low + ";");
+    line("  break;");
+    line("} else {");
+    line("  if (" + name + "_round > 2) {");
+    line("    if ((f > 0.0) == (" + name + "_first > 0.0)) " + low + " = " + x + "; else " + high + " = " + x + ";");
+    line("  }");
+    line("  float next = " + low + " + (" + high + " - " + low + ") * 0.5;");
+    line("  if (" + name + "_round > 2) {");
+    line("    float newton = " + x + " - f / " + number(node.operands[3]) + ";");
+    line("    if (newton > min(" + low + ", " + high + ") && newton < max(" + low + ", " + high + ")) next = newton;");
+    line("  }");
+    line("  bool ended = f == 0.0 || (" + name + "_round > 2 && abs(next - " + x + ") <= 1.2e-7 * abs(" + x + "));");
+    line("  " + name + " = f == 0.0 ? " + x + " : next;");
+    line("  " + x + " = " + name + ";");
+    line("  if (ended) break;");
+    line("}");
+    --depth_;
+    line("}");
+  }
+
   std::string number(NodeId id) const { return isTruth(graph_[id].op) ? "float(" + text_[id] + ")" : text_[id]; }
   std::string truth(NodeId id) const { return isTruth(graph_[id].op) ? text_[id] : "(" + text_[id] + " != 0.0)"; }
 
@@ -85,21 +160,36 @@ class Printer {
     const NodeId a = node.operands[0], b = node.operands[1], c = node.operands[2];
     const auto infix = [&](const char* symbol) { return "(" + number(a) + symbol + number(b) + ")"; };
     switch (node.op) {
-      case Op::Constant: return literal(node.value);
-      case Op::Input: return names_.inputs[node.index];
-      case Op::Parameter: return names_.parameters[node.index];
-      case Op::Neg: return "(-" + number(a) + ")";
-      case Op::Add: return infix(" + ");
-      case Op::Sub: return infix(" - ");
-      case Op::Mul: return infix(" * ");
-      case Op::Div: return infix(" / ");
-      case Op::Less: return infix(" < ");
-      case Op::LessEqual: return infix(" <= ");
-      case Op::Equal: return infix(" == ");
-      case Op::Not: return "(!" + truth(a) + ")";
-      case Op::And: return "(" + truth(a) + " && " + truth(b) + ")";
-      case Op::Or: return "(" + truth(a) + " || " + truth(b) + ")";
-      case Op::Select: return "(" + truth(a) + " ? " + number(b) + " : " + number(c) + ")";
+      case Op::Constant:
+        return literal(node.value);
+      case Op::Input:
+        return names_.inputs[node.index];
+      case Op::Parameter:
+        return names_.parameters[node.index];
+      case Op::Neg:
+        return "(-" + number(a) + ")";
+      case Op::Add:
+        return infix(" + ");
+      case Op::Sub:
+        return infix(" - ");
+      case Op::Mul:
+        return infix(" * ");
+      case Op::Div:
+        return infix(" / ");
+      case Op::Less:
+        return infix(" < ");
+      case Op::LessEqual:
+        return infix(" <= ");
+      case Op::Equal:
+        return infix(" == ");
+      case Op::Not:
+        return "(!" + truth(a) + ")";
+      case Op::And:
+        return "(" + truth(a) + " && " + truth(b) + ")";
+      case Op::Or:
+        return "(" + truth(a) + " || " + truth(b) + ")";
+      case Op::Select:
+        return "(" + truth(a) + " ? " + number(b) + " : " + number(c) + ")";
       default: {
         std::string call = functionName(node.op) + "(" + number(a);
         if (arity(node.op) > 1) call += ", " + number(b);
@@ -110,7 +200,11 @@ class Printer {
 
   const Graph& graph_;
   const GlslNames& names_;
+  std::vector<std::uint32_t> scopes_;
+  std::vector<int> uses_;
   std::vector<std::string> text_;
+  std::string statements_;
+  std::size_t depth_ = 1;
 };
 
 }  // namespace

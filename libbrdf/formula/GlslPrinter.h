@@ -10,7 +10,7 @@ namespace brdf::formula {
 struct GlslNames {
   /// GLSL expression for each Input, in its order; empty where the shader has none.
   std::array<std::string, static_cast<std::size_t>(Input::Count)> inputs{"wi.x", "wi.y", "wi.z", "wo.x",
-                                                                         "wo.y", "wo.z", "u.x", "u.y"};
+                                                                         "wo.y", "wo.z", "u.x",  "u.y"};
   std::vector<std::string> parameters;  ///< GLSL name of each parameter
 };
 

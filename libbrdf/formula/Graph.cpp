@@ -15,19 +15,16 @@ struct OpInfo {
 };
 
 constexpr std::array<OpInfo, static_cast<std::size_t>(Op::Count)> kOps{{
-    {"constant", 0}, {"input", 0}, {"parameter", 0},
-    {"-", 1}, {"abs", 1}, {"sqrt", 1}, {"exp", 1}, {"expm1", 1}, {"log", 1}, {"log1p", 1}, {"sin", 1}, {"cos", 1},
-    {"tan", 1}, {"asin", 1}, {"acos", 1}, {"atan", 1}, {"sinh", 1}, {"cosh", 1}, {"tanh", 1}, {"erf", 1}, {"erfc", 1},
-    {"lgamma", 1}, {"digamma", 1}, {"floor", 1}, {"!", 1},
-    {"+", 2}, {"-", 2}, {"*", 2}, {"/", 2}, {"pow", 2}, {"min", 2}, {"max", 2}, {"atan2", 2}, {"<", 2}, {"<=", 2},
-    {"==", 2}, {"&&", 2}, {"||", 2},
-    {"select", 3},
-    {"muladd", 3}, {"mulsub", 3}, {"negmuladd", 3}, {"copy", 1},
+    {"constant", 0}, {"input", 0},   {"parameter", 0}, {"-", 1},      {"abs", 1},   {"sqrt", 1}, {"exp", 1},
+    {"expm1", 1},    {"log", 1},     {"log1p", 1},     {"sin", 1},    {"cos", 1},   {"tan", 1},  {"asin", 1},
+    {"acos", 1},     {"atan", 1},    {"sinh", 1},      {"cosh", 1},   {"tanh", 1},  {"erf", 1},  {"erfc", 1},
+    {"lgamma", 1},   {"digamma", 1}, {"floor", 1},     {"!", 1},      {"+", 2},     {"-", 2},    {"*", 2},
+    {"/", 2},        {"pow", 2},     {"min", 2},       {"max", 2},    {"atan2", 2}, {"<", 2},    {"<=", 2},
+    {"==", 2},       {"&&", 2},      {"||", 2},        {"select", 3}, {"bound", 0}, {"sum", 3},  {"solve", 4},
+    {"muladd", 3},   {"mulsub", 3},  {"negmuladd", 3}, {"copy", 1},
 }};
 
-bool commutative(Op op) {
-  return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or;
-}
+bool commutative(Op op) { return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or; }
 
 }  // namespace
 
@@ -36,46 +33,86 @@ std::string_view opName(Op op) { return kOps[static_cast<std::size_t>(op)].name;
 
 double applyOp(Op op, double a, double b, double c) {
   switch (op) {
-    case Op::Neg: return -a;
-    case Op::Abs: return std::fabs(a);
-    case Op::Sqrt: return std::sqrt(a);
-    case Op::Exp: return std::exp(a);
-    case Op::Expm1: return std::expm1(a);
-    case Op::Log: return std::log(a);
-    case Op::Log1p: return std::log1p(a);
-    case Op::Sin: return std::sin(a);
-    case Op::Cos: return std::cos(a);
-    case Op::Tan: return std::tan(a);
-    case Op::Asin: return std::asin(std::clamp(a, -1.0, 1.0));
-    case Op::Acos: return std::acos(std::clamp(a, -1.0, 1.0));
-    case Op::Atan: return std::atan(a);
-    case Op::Sinh: return std::sinh(a);
-    case Op::Cosh: return std::cosh(a);
-    case Op::Tanh: return std::tanh(a);
-    case Op::Erf: return std::erf(a);
-    case Op::Erfc: return std::erfc(a);
-    case Op::Lgamma: return std::lgamma(a);
-    case Op::Digamma: return a > 0 ? boost::math::digamma(a) : std::nan("");
-    case Op::Floor: return std::floor(a);
-    case Op::Not: return a == 0 ? 1 : 0;
-    case Op::Add: return a + b;
-    case Op::Sub: return a - b;
-    case Op::Mul: return a * b;
-    case Op::Div: return a / b;
-    case Op::Pow: return std::pow(a, b);
-    case Op::Min: return b < a ? b : a;
-    case Op::Max: return b > a ? b : a;
-    case Op::Atan2: return std::atan2(a, b);
-    case Op::Less: return a < b ? 1 : 0;
-    case Op::LessEqual: return a <= b ? 1 : 0;
-    case Op::Equal: return a == b ? 1 : 0;
-    case Op::And: return a != 0 && b != 0 ? 1 : 0;
-    case Op::Or: return a != 0 || b != 0 ? 1 : 0;
-    case Op::Select: return a != 0 ? b : c;
-    case Op::MulAdd: return std::fma(a, b, c);
-    case Op::MulSub: return std::fma(a, b, -c);
-    case Op::NegMulAdd: return std::fma(-a, b, c);
-    default: return a;
+    case Op::Neg:
+      return -a;
+    case Op::Abs:
+      return std::fabs(a);
+    case Op::Sqrt:
+      return std::sqrt(a);
+    case Op::Exp:
+      return std::exp(a);
+    case Op::Expm1:
+      return std::expm1(a);
+    case Op::Log:
+      return std::log(a);
+    case Op::Log1p:
+      return std::log1p(a);
+    case Op::Sin:
+      return std::sin(a);
+    case Op::Cos:
+      return std::cos(a);
+    case Op::Tan:
+      return std::tan(a);
+    case Op::Asin:
+      return std::asin(std::clamp(a, -1.0, 1.0));
+    case Op::Acos:
+      return std::acos(std::clamp(a, -1.0, 1.0));
+    case Op::Atan:
+      return std::atan(a);
+    case Op::Sinh:
+      return std::sinh(a);
+    case Op::Cosh:
+      return std::cosh(a);
+    case Op::Tanh:
+      return std::tanh(a);
+    case Op::Erf:
+      return std::erf(a);
+    case Op::Erfc:
+      return std::erfc(a);
+    case Op::Lgamma:
+      return std::lgamma(a);
+    case Op::Digamma:
+      return a > 0 ? boost::math::digamma(a) : std::nan("");
+    case Op::Floor:
+      return std::floor(a);
+    case Op::Not:
+      return a == 0 ? 1 : 0;
+    case Op::Add:
+      return a + b;
+    case Op::Sub:
+      return a - b;
+    case Op::Mul:
+      return a * b;
+    case Op::Div:
+      return a / b;
+    case Op::Pow:
+      return std::pow(a, b);
+    case Op::Min:
+      return b < a ? b : a;
+    case Op::Max:
+      return b > a ? b : a;
+    case Op::Atan2:
+      return std::atan2(a, b);
+    case Op::Less:
+      return a < b ? 1 : 0;
+    case Op::LessEqual:
+      return a <= b ? 1 : 0;
+    case Op::Equal:
+      return a == b ? 1 : 0;
+    case Op::And:
+      return a != 0 && b != 0 ? 1 : 0;
+    case Op::Or:
+      return a != 0 || b != 0 ? 1 : 0;
+    case Op::Select:
+      return a != 0 ? b : c;
+    case Op::MulAdd:
+      return std::fma(a, b, c);
+    case Op::MulSub:
+      return std::fma(a, b, -c);
+    case Op::NegMulAdd:
+      return std::fma(-a, b, c);
+    default:
+      return a;
   }
 }
 
@@ -89,7 +126,7 @@ std::size_t Graph::Hash::operator()(const Node& node) const {
 }
 
 bool Graph::Equal::operator()(const Node& a, const Node& b) const {
-  return a.op == b.op && std::equal(a.operands, a.operands + 3, b.operands) && a.index == b.index &&
+  return a.op == b.op && std::equal(a.operands, a.operands + 4, b.operands) && a.index == b.index &&
          std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
 
@@ -117,6 +154,76 @@ NodeId Graph::parameter(std::uint32_t index) {
   node.op = Op::Parameter;
   node.index = index;
   return intern(node);
+}
+
+NodeId Graph::bound() { return boundNode(boundCount_++); }
+
+NodeId Graph::boundNode(std::uint32_t index) {
+  Node node;
+  node.op = Op::Bound;
+  node.index = index;
+  return intern(node);
+}
+
+NodeId Graph::sum(NodeId variable, NodeId first, NodeId last, NodeId term, double tolerance) {
+  if (isConstant(term, 0)) return term;
+  Node node;
+  node.op = Op::Sum;
+  node.operands[0] = first;
+  node.operands[1] = last;
+  node.operands[2] = term;
+  node.index = nodes_[variable].index;
+  node.value = tolerance;
+  return intern(node);
+}
+
+NodeId Graph::solve(NodeId variable, NodeId low, NodeId high, NodeId f, NodeId slope) {
+  Node node;
+  node.op = Op::Solve;
+  node.operands[0] = low;
+  node.operands[1] = high;
+  node.operands[2] = f;
+  node.operands[3] = slope;
+  node.index = nodes_[variable].index;
+  return intern(node);
+}
+
+NodeId Graph::substitute(NodeId root, NodeId from, NodeId to) {
+  const std::vector<bool> needed = reachable({root});
+  std::vector<NodeId> image(root + 1);
+  for (NodeId id = 0; id <= root; ++id) {
+    image[id] = id == from ? to : id;
+    if (!needed[id] || id == from) continue;
+    Node node = nodes_[id];
+    bool changed = false;
+    for (int k = 0; k < arity(node.op); ++k) {
+      changed = changed || image[node.operands[k]] != node.operands[k];
+      node.operands[k] = image[node.operands[k]];
+    }
+    if (!changed) continue;
+    const bool binds = node.op == Op::Sum || node.op == Op::Solve;
+    image[id] = binds ? intern(node) : make(node.op, node.operands[0], node.operands[1], node.operands[2]);
+  }
+  return image[root];
+}
+
+std::vector<std::uint32_t> Graph::scopes() const {
+  // Every variable a node depends on and that is not bound below it; few, so a sorted list each.
+  std::vector<std::vector<std::uint32_t>> free(nodes_.size());
+  std::vector<std::uint32_t> scope(nodes_.size(), 0);
+  for (std::size_t id = 0; id < nodes_.size(); ++id) {
+    const Node& node = nodes_[id];
+    std::vector<std::uint32_t>& mine = free[id];
+    if (node.op == Op::Bound) mine.push_back(node.index + 1);
+    for (int k = 0; k < arity(node.op); ++k)
+      for (const std::uint32_t variable : free[node.operands[k]]) {
+        const bool bodyOperand = (node.op == Op::Sum && k == 2) || (node.op == Op::Solve && k >= 2);
+        if (bodyOperand && variable == node.index + 1) continue;
+        if (std::find(mine.begin(), mine.end(), variable) == mine.end()) mine.push_back(variable);
+      }
+    for (const std::uint32_t variable : mine) scope[id] = std::max(scope[id], variable);
+  }
+  return scope;
 }
 
 NodeId Graph::simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found) {
@@ -180,7 +287,8 @@ NodeId Graph::simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found) {
     case Op::And:
       if (isConstant(a, 0) || isConstant(b, 0)) return constant(0);
       break;
-    default: break;
+    default:
+      break;
   }
   found = false;
   return 0;
@@ -188,8 +296,7 @@ NodeId Graph::simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found) {
 
 NodeId Graph::make(Op op, NodeId a, NodeId b, NodeId c) {
   const int count = arity(op);
-  const bool allConstant =
-      isConstant(a) && (count < 2 || isConstant(b)) && (count < 3 || isConstant(c));
+  const bool allConstant = isConstant(a) && (count < 2 || isConstant(b)) && (count < 3 || isConstant(c));
   if (allConstant)
     return constant(applyOp(op, nodes_[a].value, count < 2 ? 0 : nodes_[b].value, count < 3 ? 0 : nodes_[c].value));
   bool found = false;

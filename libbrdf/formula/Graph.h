@@ -12,13 +12,56 @@ namespace brdf::formula {
 /// Defined corners: pow(0, 0) = 1 and pow(0, n) = 0 for n > 0; at a tie min and max take (and are differentiated by)
 /// their first operand; acos and asin clamp their operand to [-1, 1]; sqrt and log of a negative operand are NaN, which
 /// a `select` may discard.
+/// A Sum ends for a lane when Bound exceeds last, or when two terms running have shrunk and are at most tolerance times
+/// the sum so far; at most kMaximumTerms terms. A Solve needs f of opposite sign at its ends; Newton steps kept inside
+/// the bracket by bisection, until the step is below an ulp or so; without a change of sign the better end is taken.
 enum class Op : std::uint8_t {
-  Constant, Input, Parameter,                                                     // leaves
-  Neg, Abs, Sqrt, Exp, Expm1, Log, Log1p, Sin, Cos, Tan, Asin, Acos, Atan,        // one operand
-  Sinh, Cosh, Tanh, Erf, Erfc, Lgamma, Digamma, Floor, Not,
-  Add, Sub, Mul, Div, Pow, Min, Max, Atan2, Less, LessEqual, Equal, And, Or,      // two operands
-  Select,                                                                         // condition, then, else
-  MulAdd, MulSub, NegMulAdd, Copy,  // made by Program only: a*b+c, a*b-c, c-a*b, a
+  Constant,
+  Input,
+  Parameter,  // leaves
+  Neg,
+  Abs,
+  Sqrt,
+  Exp,
+  Expm1,
+  Log,
+  Log1p,
+  Sin,
+  Cos,
+  Tan,
+  Asin,
+  Acos,
+  Atan,  // one operand
+  Sinh,
+  Cosh,
+  Tanh,
+  Erf,
+  Erfc,
+  Lgamma,
+  Digamma,
+  Floor,
+  Not,
+  Add,
+  Sub,
+  Mul,
+  Div,
+  Pow,
+  Min,
+  Max,
+  Atan2,
+  Less,
+  LessEqual,
+  Equal,
+  And,
+  Or,      // two operands
+  Select,  // condition, then, else
+  Bound,   // leaf: the variable that a Sum or Solve binds, which `index` names
+  Sum,     // first, last, term: sum of term over Bound = first, first + 1, ... <= last; `value` is the tail tolerance
+  Solve,   // low, high, f, df/dx: the root x = Bound of f between low and high
+  MulAdd,
+  MulSub,
+  NegMulAdd,
+  Copy,  // made by Program only: a*b+c, a*b-c, c-a*b, a
   Count
 };
 
@@ -27,11 +70,14 @@ enum class Input : std::uint8_t { Ux, Uy, Uz, Vx, Vy, Vz, Random1, Random2, Coun
 
 using NodeId = std::uint32_t;
 
+inline constexpr int kMaximumTerms = 2000;      ///< of a Sum
+inline constexpr int kMaximumIterations = 100;  ///< of a Solve
+
 struct Node {
   Op op = Op::Constant;
-  NodeId operands[3] = {0, 0, 0};
-  std::uint32_t index = 0;  ///< Input: which input; Parameter: which parameter
-  double value = 0;         ///< Constant: its value
+  NodeId operands[4] = {0, 0, 0, 0};
+  std::uint32_t index = 0;  ///< Input: which input; Parameter: which one; Bound, Sum, Solve: the variable bound
+  double value = 0;         ///< Constant: its value; Sum: tail tolerance
 };
 
 /// Number of operands of an operation.
@@ -51,6 +97,16 @@ class BRDF_EXPORT Graph {
   NodeId parameter(std::uint32_t index);
   NodeId make(Op op, NodeId a, NodeId b = 0, NodeId c = 0);
 
+  /// A fresh variable for a Sum or Solve; the expressions made inside use the node it returns.
+  NodeId bound();
+  /// The node of the variable with this index.
+  NodeId boundNode(std::uint32_t index);
+  NodeId sum(NodeId variable, NodeId first, NodeId last, NodeId term, double tolerance);
+  /// `slope` is the derivative of `f` with respect to `variable`.
+  NodeId solve(NodeId variable, NodeId low, NodeId high, NodeId f, NodeId slope);
+  /// `root` with every use of the node `from` replaced by `to`.
+  NodeId substitute(NodeId root, NodeId from, NodeId to);
+
   NodeId add(NodeId a, NodeId b) { return make(Op::Add, a, b); }
   NodeId sub(NodeId a, NodeId b) { return make(Op::Sub, a, b); }
   NodeId mul(NodeId a, NodeId b) { return make(Op::Mul, a, b); }
@@ -67,6 +123,10 @@ class BRDF_EXPORT Graph {
   /// For each node id up to the largest of `roots`: whether a root needs it.
   std::vector<bool> reachable(const std::vector<NodeId>& roots) const;
 
+  /// The innermost variable that each node depends on from inside its Sum or Solve: its number plus one, 0 for none. A
+  /// variable made later is further in.
+  std::vector<std::uint32_t> scopes() const;
+
  private:
   struct Hash {
     std::size_t operator()(const Node& node) const;
@@ -78,6 +138,7 @@ class BRDF_EXPORT Graph {
   NodeId simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found);
 
   std::vector<Node> nodes_;
+  std::uint32_t boundCount_ = 0;
   std::unordered_map<Node, NodeId, Hash, Equal> ids_;
 };
 

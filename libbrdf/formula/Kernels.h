@@ -13,7 +13,8 @@ inline constexpr std::size_t kLanes = 512 / sizeof(T);
 template <class T>
 using Kernel = void (*)(T* dst, const T* a, const T* b, const T* c);
 
-/// kernels[op][mask]: bit k of the mask says that operand k is a scalar. Operands that are all scalars occur only for Copy.
+/// kernels[op][mask]: bit k of the mask says that operand k is a scalar. Operands that are all scalars occur only for
+/// Copy.
 template <class T>
 struct KernelTable {
   Kernel<T> kernels[static_cast<std::size_t>(Op::Count)][8];

@@ -6,8 +6,8 @@
 namespace {
 
 using brdf::formula::Kernel;
-using brdf::formula::kLanes;
 using brdf::formula::KernelTable;
+using brdf::formula::kLanes;
 using brdf::formula::Op;
 
 template <Op op, class T>
@@ -15,46 +15,86 @@ inline typename Simd<T>::V apply(typename Simd<T>::V a, typename Simd<T>::V b, t
   using S = Simd<T>;
   using V = typename S::V;
   const V one = S::fill(1), zero = S::fill(0);
-  if constexpr (op == Op::Neg) return -a;
-  else if constexpr (op == Op::Abs) return S::abs(a);
-  else if constexpr (op == Op::Sqrt) return S::sqrt(a);
-  else if constexpr (op == Op::Exp) return S::exp(a);
-  else if constexpr (op == Op::Expm1) return S::expm1(a);
-  else if constexpr (op == Op::Log) return S::log(a);
-  else if constexpr (op == Op::Log1p) return S::log1p(a);
-  else if constexpr (op == Op::Sin) return S::sin(a);
-  else if constexpr (op == Op::Cos) return S::cos(a);
-  else if constexpr (op == Op::Tan) return S::tan(a);
-  else if constexpr (op == Op::Asin) return S::asin(S::clampToOne(a));
-  else if constexpr (op == Op::Acos) return S::acos(S::clampToOne(a));
-  else if constexpr (op == Op::Atan) return S::atan(a);
-  else if constexpr (op == Op::Sinh) return S::sinh(a);
-  else if constexpr (op == Op::Cosh) return S::cosh(a);
-  else if constexpr (op == Op::Tanh) return S::tanh(a);
-  else if constexpr (op == Op::Erf) return S::erf(a);
-  else if constexpr (op == Op::Erfc) return S::erfc(a);
-  else if constexpr (op == Op::Lgamma) return S::lgamma(a);
-  else if constexpr (op == Op::Digamma) return S::digamma(a);
-  else if constexpr (op == Op::Floor) return S::floor(a);
-  else if constexpr (op == Op::Not) return a == zero ? one : zero;
-  else if constexpr (op == Op::Add) return a + b;
-  else if constexpr (op == Op::Sub) return a - b;
-  else if constexpr (op == Op::Mul) return a * b;
-  else if constexpr (op == Op::Div) return a / b;
-  else if constexpr (op == Op::Pow) return S::pow(a, b);
-  else if constexpr (op == Op::Min) return b < a ? b : a;
-  else if constexpr (op == Op::Max) return b > a ? b : a;
-  else if constexpr (op == Op::Atan2) return S::atan2(a, b);
-  else if constexpr (op == Op::Less) return a < b ? one : zero;
-  else if constexpr (op == Op::LessEqual) return a <= b ? one : zero;
-  else if constexpr (op == Op::Equal) return a == b ? one : zero;
-  else if constexpr (op == Op::And) return a != zero ? (b != zero ? one : zero) : zero;
-  else if constexpr (op == Op::Or) return a != zero ? one : (b != zero ? one : zero);
-  else if constexpr (op == Op::Select) return a != zero ? b : c;
-  else if constexpr (op == Op::MulAdd) return S::mulAdd(a, b, c);
-  else if constexpr (op == Op::MulSub) return S::mulAdd(a, b, -c);
-  else if constexpr (op == Op::NegMulAdd) return S::mulAdd(-a, b, c);
-  else return a;
+  if constexpr (op == Op::Neg)
+    return -a;
+  else if constexpr (op == Op::Abs)
+    return S::abs(a);
+  else if constexpr (op == Op::Sqrt)
+    return S::sqrt(a);
+  else if constexpr (op == Op::Exp)
+    return S::exp(a);
+  else if constexpr (op == Op::Expm1)
+    return S::expm1(a);
+  else if constexpr (op == Op::Log)
+    return S::log(a);
+  else if constexpr (op == Op::Log1p)
+    return S::log1p(a);
+  else if constexpr (op == Op::Sin)
+    return S::sin(a);
+  else if constexpr (op == Op::Cos)
+    return S::cos(a);
+  else if constexpr (op == Op::Tan)
+    return S::tan(a);
+  else if constexpr (op == Op::Asin)
+    return S::asin(S::clampToOne(a));
+  else if constexpr (op == Op::Acos)
+    return S::acos(S::clampToOne(a));
+  else if constexpr (op == Op::Atan)
+    return S::atan(a);
+  else if constexpr (op == Op::Sinh)
+    return S::sinh(a);
+  else if constexpr (op == Op::Cosh)
+    return S::cosh(a);
+  else if constexpr (op == Op::Tanh)
+    return S::tanh(a);
+  else if constexpr (op == Op::Erf)
+    return S::erf(a);
+  else if constexpr (op == Op::Erfc)
+    return S::erfc(a);
+  else if constexpr (op == Op::Lgamma)
+    return S::lgamma(a);
+  else if constexpr (op == Op::Digamma)
+    return S::digamma(a);
+  else if constexpr (op == Op::Floor)
+    return S::floor(a);
+  else if constexpr (op == Op::Not)
+    return a == zero ? one : zero;
+  else if constexpr (op == Op::Add)
+    return a + b;
+  else if constexpr (op == Op::Sub)
+    return a - b;
+  else if constexpr (op == Op::Mul)
+    return a * b;
+  else if constexpr (op == Op::Div)
+    return a / b;
+  else if constexpr (op == Op::Pow)
+    return S::pow(a, b);
+  else if constexpr (op == Op::Min)
+    return b < a ? b : a;
+  else if constexpr (op == Op::Max)
+    return b > a ? b : a;
+  else if constexpr (op == Op::Atan2)
+    return S::atan2(a, b);
+  else if constexpr (op == Op::Less)
+    return a < b ? one : zero;
+  else if constexpr (op == Op::LessEqual)
+    return a <= b ? one : zero;
+  else if constexpr (op == Op::Equal)
+    return a == b ? one : zero;
+  else if constexpr (op == Op::And)
+    return a != zero ? (b != zero ? one : zero) : zero;
+  else if constexpr (op == Op::Or)
+    return a != zero ? one : (b != zero ? one : zero);
+  else if constexpr (op == Op::Select)
+    return a != zero ? b : c;
+  else if constexpr (op == Op::MulAdd)
+    return S::mulAdd(a, b, c);
+  else if constexpr (op == Op::MulSub)
+    return S::mulAdd(a, b, -c);
+  else if constexpr (op == Op::NegMulAdd)
+    return S::mulAdd(-a, b, c);
+  else
+    return a;
 }
 
 template <Op op, int mask, int operands, class T>

@@ -1,7 +1,7 @@
 // Compiled for AVX512; see CMakeLists.txt.
 #include <brdf/formula/Kernels.h>
-#include <brdf/formula/KernelsX86.inl>
 #include <brdf/formula/Kernels.inl>
+#include <brdf/formula/KernelsX86.inl>
 
 namespace brdf::formula {
 const KernelSet kKernelsAvx512 = {"avx512", &kFloats, &kDoubles};

@@ -8,8 +8,8 @@ template <class T, Op op, int mask>
 void kernel(T* dst, const T* a, const T* b, const T* c) {
   constexpr bool two = op >= Op::Add && op < Op::Copy, three = op >= Op::Select && op < Op::Copy;
   for (std::size_t i = 0; i < kLanes<T>; ++i)
-    dst[i] = static_cast<T>(applyOp(op, a[(mask & 1) ? 0 : i], two ? b[(mask & 2) ? 0 : i] : 0,
-                                    three ? c[(mask & 4) ? 0 : i] : 0));
+    dst[i] = static_cast<T>(
+        applyOp(op, a[(mask & 1) ? 0 : i], two ? b[(mask & 2) ? 0 : i] : 0, three ? c[(mask & 4) ? 0 : i] : 0));
 }
 
 template <class T, std::size_t... ops>

@@ -1,5 +1,5 @@
-// Simd<T> for x86-64, chosen by the instruction set this file is compiled for; see Kernels.inl. The vector functions are
-// SLEEF's, at most 1.0 ulp off (erfc 1.5 ulp), which tests/formula measures against extended precision.
+// Simd<T> for x86-64, chosen by the instruction set this file is compiled for; see Kernels.inl. The vector functions
+// are SLEEF's, at most 1.0 ulp off (erfc 1.5 ulp), which tests/formula measures against extended precision.
 #include <immintrin.h>
 #include <sleef.h>
 
@@ -28,46 +28,46 @@ template <class T>
 struct Simd;
 
 // What float and double share, with SLEEF's names filled in by CALL.
-#define BRDF_SIMD(T, VECTOR, CALL)                                                       \
-  template <>                                                                            \
-  struct Simd<T> {                                                                       \
-    using V = VECTOR;                                                                    \
+#define BRDF_SIMD(T, VECTOR, CALL)                                                           \
+  template <>                                                                                \
+  struct Simd<T> {                                                                           \
+    using V = VECTOR;                                                                        \
     typedef T Loose __attribute__((vector_size(sizeof(V)), aligned(alignof(T)), may_alias)); \
-    static constexpr unsigned width = sizeof(V) / sizeof(T);                             \
-    static V fill(T x) { return V{} + x; }                                               \
-    static V load(const T* p) { return (V) * (const Loose*)p; }                          \
-    static void store(T* p, V v) { *(Loose*)p = (Loose)v; }                              \
-    static V abs(V a) { return CALL(fabs, )(a); }                                        \
-    static V floor(V a) { return CALL(floor, )(a); }                                     \
-    static V exp(V a) { return CALL(exp, u10)(a); }                                      \
-    static V expm1(V a) { return CALL(expm1, u10)(a); }                                  \
-    static V log(V a) { return CALL(log, u10)(a); }                                      \
-    static V log1p(V a) { return CALL(log1p, u10)(a); }                                  \
-    static V sin(V a) { return CALL(sin, u10)(a); }                                      \
-    static V cos(V a) { return CALL(cos, u10)(a); }                                      \
-    static V tan(V a) { return CALL(tan, u10)(a); }                                      \
-    static V asin(V a) { return CALL(asin, u10)(a); }                                    \
-    static V acos(V a) { return CALL(acos, u10)(a); }                                    \
-    static V atan(V a) { return CALL(atan, u10)(a); }                                    \
-    static V sinh(V a) { return CALL(sinh, u10)(a); }                                    \
-    static V cosh(V a) { return CALL(cosh, u10)(a); }                                    \
-    static V tanh(V a) { return CALL(tanh, u10)(a); }                                    \
-    static V erf(V a) { return CALL(erf, u10)(a); }                                      \
-    static V erfc(V a) { return CALL(erfc, u15)(a); }                                    \
-    static V lgamma(V a) { return CALL(lgamma, u10)(a); }                                \
-    static V pow(V a, V b) { return CALL(pow, u10)(a, b); }                              \
-    static V atan2(V a, V b) { return CALL(atan2, u10)(a, b); }                          \
-    static V clampToOne(V a) {                                                           \
-      const V one = fill(1);                                                             \
-      return a > one ? one : (a < -one ? -one : a);                                      \
-    }                                                                                    \
-    static V digamma(V a) {                                                              \
-      V r{};                                                                             \
-      for (unsigned i = 0; i < width; ++i) r[i] = static_cast<T>(digammaOfPositive(a[i])); \
-      return r;                                                                          \
-    }                                                                                    \
-    static V sqrt(V a);                                                                  \
-    static V mulAdd(V a, V b, V c);                                                      \
+    static constexpr unsigned width = sizeof(V) / sizeof(T);                                 \
+    static V fill(T x) { return V{} + x; }                                                   \
+    static V load(const T* p) { return (V) * (const Loose*)p; }                              \
+    static void store(T* p, V v) { *(Loose*)p = (Loose)v; }                                  \
+    static V abs(V a) { return CALL(fabs, )(a); }                                            \
+    static V floor(V a) { return CALL(floor, )(a); }                                         \
+    static V exp(V a) { return CALL(exp, u10)(a); }                                          \
+    static V expm1(V a) { return CALL(expm1, u10)(a); }                                      \
+    static V log(V a) { return CALL(log, u10)(a); }                                          \
+    static V log1p(V a) { return CALL(log1p, u10)(a); }                                      \
+    static V sin(V a) { return CALL(sin, u10)(a); }                                          \
+    static V cos(V a) { return CALL(cos, u10)(a); }                                          \
+    static V tan(V a) { return CALL(tan, u10)(a); }                                          \
+    static V asin(V a) { return CALL(asin, u10)(a); }                                        \
+    static V acos(V a) { return CALL(acos, u10)(a); }                                        \
+    static V atan(V a) { return CALL(atan, u10)(a); }                                        \
+    static V sinh(V a) { return CALL(sinh, u10)(a); }                                        \
+    static V cosh(V a) { return CALL(cosh, u10)(a); }                                        \
+    static V tanh(V a) { return CALL(tanh, u10)(a); }                                        \
+    static V erf(V a) { return CALL(erf, u10)(a); }                                          \
+    static V erfc(V a) { return CALL(erfc, u15)(a); }                                        \
+    static V lgamma(V a) { return CALL(lgamma, u10)(a); }                                    \
+    static V pow(V a, V b) { return CALL(pow, u10)(a, b); }                                  \
+    static V atan2(V a, V b) { return CALL(atan2, u10)(a, b); }                              \
+    static V clampToOne(V a) {                                                               \
+      const V one = fill(1);                                                                 \
+      return a > one ? one : (a < -one ? -one : a);                                          \
+    }                                                                                        \
+    static V digamma(V a) {                                                                  \
+      V r{};                                                                                 \
+      for (unsigned i = 0; i < width; ++i) r[i] = static_cast<T>(digammaOfPositive(a[i]));   \
+      return r;                                                                              \
+    }                                                                                        \
+    static V sqrt(V a);                                                                      \
+    static V mulAdd(V a, V b, V c);                                                          \
   };
 
 #define BRDF_CALL_F(name, accuracy) BRDF_F(name, accuracy)
@@ -99,7 +99,8 @@ double digammaOfPositive(double x) {
   for (; x < 10; x += 1) sum -= 1 / x;
   const double y = 1 / (x * x);
   return sum + __builtin_log(x) - 0.5 / x -
-         y * (1. / 12 - y * (1. / 120 - y * (1. / 252 - y * (1. / 240 - y * (1. / 132 - y * (691. / 32760 - y / 12))))));
+         y * (1. / 12 -
+              y * (1. / 120 - y * (1. / 252 - y * (1. / 240 - y * (1. / 132 - y * (691. / 32760 - y / 12))))));
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <brdf/base/Error.h>
+#include <brdf/formula/Derivative.h>
 #include <brdf/formula/Parser.h>
 #include <brdf/formula/Syntax.h>
 #include <brdf/formula/Variables.h>
@@ -9,8 +10,8 @@
 namespace brdf::formula {
 namespace {
 
-constexpr int kMaximumExpansion = 64;            // of functions within functions: ends recursion
-constexpr std::size_t kMaximumNodes = 200'000;   // in one graph
+constexpr int kMaximumExpansion = 64;           // of functions within functions: ends recursion
+constexpr std::size_t kMaximumNodes = 200'000;  // in one graph
 
 struct Builtin {
   std::string_view name;
@@ -18,17 +19,19 @@ struct Builtin {
 };
 
 constexpr std::array kUnary = {
-    Builtin{"neg", Op::Neg},     Builtin{"!", Op::Not},         Builtin{"abs", Op::Abs},   Builtin{"sqrt", Op::Sqrt},
-    Builtin{"exp", Op::Exp},     Builtin{"expm1", Op::Expm1},   Builtin{"log", Op::Log},   Builtin{"ln", Op::Log},
-    Builtin{"log1p", Op::Log1p}, Builtin{"sin", Op::Sin},       Builtin{"cos", Op::Cos},   Builtin{"tan", Op::Tan},
-    Builtin{"asin", Op::Asin},   Builtin{"acos", Op::Acos},     Builtin{"atan", Op::Atan}, Builtin{"sinh", Op::Sinh},
-    Builtin{"cosh", Op::Cosh},   Builtin{"tanh", Op::Tanh},     Builtin{"erf", Op::Erf},   Builtin{"erfc", Op::Erfc},
-    Builtin{"lgamma", Op::Lgamma}, Builtin{"digamma", Op::Digamma}, Builtin{"floor", Op::Floor}};
+    Builtin{"neg", Op::Neg},         Builtin{"!", Op::Not},      Builtin{"abs", Op::Abs},
+    Builtin{"sqrt", Op::Sqrt},       Builtin{"exp", Op::Exp},    Builtin{"expm1", Op::Expm1},
+    Builtin{"log", Op::Log},         Builtin{"ln", Op::Log},     Builtin{"log1p", Op::Log1p},
+    Builtin{"sin", Op::Sin},         Builtin{"cos", Op::Cos},    Builtin{"tan", Op::Tan},
+    Builtin{"asin", Op::Asin},       Builtin{"acos", Op::Acos},  Builtin{"atan", Op::Atan},
+    Builtin{"sinh", Op::Sinh},       Builtin{"cosh", Op::Cosh},  Builtin{"tanh", Op::Tanh},
+    Builtin{"erf", Op::Erf},         Builtin{"erfc", Op::Erfc},  Builtin{"lgamma", Op::Lgamma},
+    Builtin{"digamma", Op::Digamma}, Builtin{"floor", Op::Floor}};
 
-constexpr std::array kBinary = {
-    Builtin{"+", Op::Add},  Builtin{"-", Op::Sub},        Builtin{"*", Op::Mul},  Builtin{"/", Op::Div},
-    Builtin{"pow", Op::Pow}, Builtin{"atan2", Op::Atan2}, Builtin{"<", Op::Less}, Builtin{"<=", Op::LessEqual},
-    Builtin{"==", Op::Equal}, Builtin{"&&", Op::And},     Builtin{"||", Op::Or}};
+constexpr std::array kBinary = {Builtin{"+", Op::Add},  Builtin{"-", Op::Sub},        Builtin{"*", Op::Mul},
+                                Builtin{"/", Op::Div},  Builtin{"pow", Op::Pow},      Builtin{"atan2", Op::Atan2},
+                                Builtin{"<", Op::Less}, Builtin{"<=", Op::LessEqual}, Builtin{"==", Op::Equal},
+                                Builtin{"&&", Op::And}, Builtin{"||", Op::Or}};
 
 template <std::size_t n>
 const Builtin* find(const std::array<Builtin, n>& table, std::string_view name) {
@@ -60,18 +63,23 @@ class Lowering {
       if (!statement.target.empty()) scope[statement.target] = value;
     }
     if (statements.back().isFunction)
-      formulaError(where_, statements.back().position, "the last statement must be an expression", "a function definition");
+      formulaError(where_, statements.back().position, "the last statement must be an expression",
+                   "a function definition");
     return value;
   }
 
  private:
   NodeId lower(const Expression& e, const Scope& scope) {
     if (graph_.size() > kMaximumNodes)
-      formulaError(where_, e.position, "formula too large", {}, "at most " + std::to_string(kMaximumNodes) + " operations");
+      formulaError(where_, e.position, "formula too large", {},
+                   "at most " + std::to_string(kMaximumNodes) + " operations");
     switch (e.kind) {
-      case Expression::Kind::Number: return graph_.constant(e.number);
-      case Expression::Kind::Name: return name(e, scope);
-      default: return call(e, scope);
+      case Expression::Kind::Number:
+        return graph_.constant(e.number);
+      case Expression::Kind::Name:
+        return name(e, scope);
+      default:
+        return call(e, scope);
     }
   }
 
@@ -100,6 +108,7 @@ class Lowering {
   }
 
   NodeId call(const Expression& e, const Scope& scope) {
+    if (e.name == "sum" || e.name == "solve") return loop(e, scope);
     std::vector<NodeId> arguments;
     for (const auto& argument : e.arguments) arguments.push_back(lower(*argument, scope));
     if (const auto it = localFunctions_.find(e.name); it != localFunctions_.end()) {
@@ -113,6 +122,30 @@ class Lowering {
       if (const auto it = options_.functions->find(e.name); it != options_.functions->end())
         return libraryCall(e, it->second, arguments);
     return builtinCall(e, arguments);
+  }
+
+  /// sum(k, first, last, term [, tolerance]) and solve(x, low, high, f).
+  NodeId loop(const Expression& e, const Scope& scope) {
+    const bool isSum = e.name == "sum";
+    if (!isSum || e.arguments.size() != 5) checkCount(e, 4);
+    const Expression& variable = *e.arguments[0];
+    if (variable.kind != Expression::Kind::Name)
+      formulaError(where_, variable.position, "the first argument of " + e.name + " must be a name", {},
+                   "a new variable");
+    const NodeId from = lower(*e.arguments[1], scope), to = lower(*e.arguments[2], scope);
+    double tolerance = 0;
+    if (e.arguments.size() == 5) {
+      const NodeId node = lower(*e.arguments[4], scope);
+      if (!graph_.isConstant(node))
+        formulaError(where_, e.arguments[4]->position, "the tolerance of a sum must be a number");
+      tolerance = graph_[node].value;
+    }
+    const NodeId bound = graph_.bound();
+    Scope inner = scope;
+    inner[variable.name] = bound;
+    const NodeId body = lower(*e.arguments[3], inner);
+    return isSum ? graph_.sum(bound, from, to, body, tolerance)
+                 : graph_.solve(bound, from, to, body, derivative(graph_, body, bound));
   }
 
   struct Expansion {
@@ -150,7 +183,8 @@ class Lowering {
     if (e.name == "min" || e.name == "max") {
       if (a.size() < 2) checkCount(e, 2);
       NodeId result = a[0];
-      for (std::size_t k = 1; k < a.size(); ++k) result = graph_.make(e.name == "min" ? Op::Min : Op::Max, result, a[k]);
+      for (std::size_t k = 1; k < a.size(); ++k)
+        result = graph_.make(e.name == "min" ? Op::Min : Op::Max, result, a[k]);
       return result;
     }
     std::vector<std::string> known = builtinFunctions();
@@ -172,7 +206,7 @@ class Lowering {
 }  // namespace
 
 std::vector<std::string> builtinFunctions() {
-  std::vector<std::string> names{"select", "min", "max", "sqr", "hypot"};
+  std::vector<std::string> names{"select", "min", "max", "sqr", "hypot", "sum", "solve"};
   for (const Builtin& entry : kUnary)
     if (std::isalpha(static_cast<unsigned char>(entry.name[0])) && entry.name != "neg") names.emplace_back(entry.name);
   for (const Builtin& entry : kBinary)

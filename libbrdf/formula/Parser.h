@@ -21,9 +21,9 @@ struct Function {
 using FunctionTable = std::map<std::string, Function, std::less<>>;
 
 struct ParseOptions {
-  std::span<const std::string> parameters;     ///< Parameter node k is called parameters[k]
-  const FunctionTable* functions = nullptr;    ///< functions that the formula may call besides the built-in ones
-  std::string where;                           ///< for messages, e.g. "equation of GGX"
+  std::span<const std::string> parameters;   ///< Parameter node k is called parameters[k]
+  const FunctionTable* functions = nullptr;  ///< functions that the formula may call besides the built-in ones
+  std::string where;                         ///< for messages, e.g. "equation of GGX"
   std::map<std::string, NodeId, std::less<>> bindings;  ///< further names, already nodes of the graph
 };
 
@@ -43,6 +43,9 @@ struct ParseResult {
 ///     the minus before it: -x^2 = -(x^2)), < <= > >= == !=, && || !, c ? a : b, calls
 ///   functions: select(condition, then, else), min and max of two or more, pow, atan2, hypot, sqr, and every function
 ///     of one number in formula/Graph.h
+///   sum(k, first, last, term [, tolerance]): the terms for k = first, first + 1, ... up to last; ends early when two
+///     terms running shrink below tolerance times the sum (formula/Graph.h)
+///   solve(x, low, high, f): the x between low and high at which f is 0
 ///   comments: # or // to the end of the line. "U+003C" is read as '<' (files of BRDFLab 0.8.2).
 ///
 /// Throws Error::Kind::Formula with line, column, what was expected and the nearest known name. Nesting, expansion and

@@ -18,7 +18,8 @@ class BRDF_EXPORT Program {
   Program(const Graph& graph, const std::vector<NodeId>& outputs);
 
   /// Evaluates `count` lanes on the calling thread. `inputs[k]` holds `count` numbers for each Input k that the program
-  /// reads (others may be null); `parameters` one number for each Parameter index; `outputs[k]` receives `count` numbers.
+  /// reads (others may be null); `parameters` one number for each Parameter index; `outputs[k]` receives `count`
+  /// numbers.
   void run(const double* const* inputs, std::span<const double> parameters, double* const* outputs,
            std::size_t count) const;
   void run(const float* const* inputs, std::span<const double> parameters, float* const* outputs,
@@ -30,15 +31,29 @@ class BRDF_EXPORT Program {
   bool reads(Input input) const { return reads_[static_cast<std::size_t>(input)]; }
 
  private:
+  friend class ProgramCompiler;
+
   enum class Place : std::uint8_t { Register, Input, Output, Uniform };
   struct Operand {
     Place place = Place::Register;
     std::uint32_t index = 0;
   };
   struct Instruction {
+    enum class Kind : std::uint8_t { Compute, LoopBegin, LoopEnd };
+    Kind kind = Kind::Compute;
     Op op = Op::Copy;
     Operand target;
     Operand operands[3];
+    std::uint32_t loop = 0;  ///< index into loops_, of LoopBegin and LoopEnd
+  };
+  struct Loop {
+    Op op = Op::Sum;          ///< Sum or Solve
+    double tolerance = 0;     ///< Sum
+    Operand from, to;         ///< first and last, or the bracket
+    Operand body, slope;      ///< term, or f and df/dx
+    Operand bound, result;    ///< registers
+    Operand state[4];         ///< registers, see Loops.h
+    std::uint32_t begin = 0;  ///< index of its LoopBegin
   };
   struct UniformStep {
     Op op = Op::Constant;
@@ -47,10 +62,12 @@ class BRDF_EXPORT Program {
   };
 
   template <class T>
-  void runBlocks(const T* const* inputs, std::span<const double> parameters, T* const* outputs, std::size_t count) const;
+  void runBlocks(const T* const* inputs, std::span<const double> parameters, T* const* outputs,
+                 std::size_t count) const;
 
   std::vector<UniformStep> uniforms_;
   std::vector<Instruction> instructions_;
+  std::vector<Loop> loops_;
   std::size_t registerCount_ = 0;
   std::size_t outputCount_ = 0;
   bool reads_[static_cast<std::size_t>(Input::Count)] = {};

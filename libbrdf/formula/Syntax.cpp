@@ -276,7 +276,8 @@ class Parser {
 
 }  // namespace
 
-void formulaError(const std::string& where, Position position, std::string what, std::string found, std::string allowed) {
+void formulaError(const std::string& where, Position position, std::string what, std::string found,
+                  std::string allowed) {
   throw Error(Error::Kind::Formula,
               {std::move(what),
                where + ", line " + std::to_string(position.line) + ", column " + std::to_string(position.column),

@@ -43,8 +43,7 @@ constexpr Variable kVariables[] = {
     {"hz", "z of the half vector, unit length: cosine of theta_h",
      [](Graph& g) { return g.div(var(g, "Hz"), var(g, "H")); }},
     {"cos_h", "cosine of theta_h, the same as hz", [](Graph& g) { return var(g, "hz"); }},
-    {"cos2_h", "squared cosine of theta_h",
-     [](Graph& g) { return g.div(square(g, var(g, "Hz")), var(g, "H2")); }},
+    {"cos2_h", "squared cosine of theta_h", [](Graph& g) { return g.div(square(g, var(g, "Hz")), var(g, "H2")); }},
     {"tan2_h", "squared tangent of theta_h, from the unnormalised half vector",
      [](Graph& g) { return g.div(hypot2(g, var(g, "Hx"), var(g, "Hy")), square(g, var(g, "Hz"))); }},
     {"cos_d", "cosine of theta_d, the angle between either direction and the half vector",
@@ -63,8 +62,9 @@ constexpr Variable kVariables[] = {
      }},
     {"cos_r", "cosine of the angle between the view direction and the light's mirror direction",
      [](Graph& g) {
-       return g.sub(g.mul(g.input(Input::Uz), g.input(Input::Vz)),
-                    g.add(g.mul(g.input(Input::Ux), g.input(Input::Vx)), g.mul(g.input(Input::Uy), g.input(Input::Vy))));
+       return g.sub(
+           g.mul(g.input(Input::Uz), g.input(Input::Vz)),
+           g.add(g.mul(g.input(Input::Ux), g.input(Input::Vx)), g.mul(g.input(Input::Uy), g.input(Input::Vy))));
      }},
     {"sin2_r2", "squared sine of half the angle between the view direction and the light's mirror direction",
      [](Graph& g) {

@@ -15,8 +15,9 @@ struct Variable {
   NodeId (*make)(Graph& graph);
 };
 
-/// All of them. Those made of cancelling differences are written in the unnormalised half vector (Hx, Hy, Hz) = wi + wo,
-/// which keeps its digits near the mirror direction; cos_d = |H|/2 and sin2_d = |wi - wo|^2/4 hold for unit directions.
+/// All of them. Those made of cancelling differences are written in the unnormalised half vector (Hx, Hy, Hz) = wi +
+/// wo, which keeps its digits near the mirror direction; cos_d = |H|/2 and sin2_d = |wi - wo|^2/4 hold for unit
+/// directions.
 BRDF_EXPORT std::span<const Variable> variables();
 
 /// The node of the variable called `name`, or empty. `random1` and `random2` (samplers only) are among them.

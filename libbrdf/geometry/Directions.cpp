@@ -3,7 +3,8 @@
 namespace brdf {
 
 HalfDifference toHalfDifference(const Direction& wi, const Direction& wo) {
-  // The unnormalised half vector keeps its digits near the mirror direction; |wi - wo| keeps them near retro-reflection.
+  // The unnormalised half vector keeps its digits near the mirror direction; |wi - wo| keeps them near
+  // retro-reflection.
   const Direction sum{wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]};
   const Direction difference{wi[0] - wo[0], wi[1] - wo[1], wi[2] - wo[2]};
   HalfDifference angles{};

@@ -53,8 +53,8 @@ struct DirectionPair {
 };
 BRDF_EXPORT DirectionPair fromHalfDifference(const HalfDifference& angles);
 
-/// Two tangents that complete the unit vector `n` to a right-handed orthonormal frame (t, b, n), without a branch at the
-/// pole (Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3).
+/// Two tangents that complete the unit vector `n` to a right-handed orthonormal frame (t, b, n), without a branch at
+/// the pole (Duff et al. 2017, "Building an Orthonormal Basis, Revisited", listing 3).
 inline void orthonormalBasis(const Direction& n, Direction& t, Direction& b) {
   const double sign = std::copysign(1.0, n[2]);
   const double a = -1 / (sign + n[2]);

@@ -59,7 +59,8 @@ std::vector<double> Lobe::parametersOf(std::size_t channel) const {
   return values;
 }
 
-LobeSum::LobeSum(std::vector<Lobe> lobes, Channels channels) : lobes_(std::move(lobes)), channels_(std::move(channels)) {
+LobeSum::LobeSum(std::vector<Lobe> lobes, Channels channels)
+    : lobes_(std::move(lobes)), channels_(std::move(channels)) {
   const std::size_t count = channels_.count();
   const auto checkLength = [&](std::size_t length, const std::string& where) {
     if (length != 1 && length != count)
@@ -71,12 +72,12 @@ LobeSum::LobeSum(std::vector<Lobe> lobes, Channels channels) : lobes_(std::move(
     checkLength(lobe.scale.size(), "scale of " + lobe.model->name());
     for (const double scale : lobe.scale)
       if (!(scale >= 0 && std::isfinite(scale)))
-        throw Error(Error::Kind::Value, {"scale factor out of bounds", "scale of " + lobe.model->name(),
-                                         formatNumber(scale), "0 or more"});
+        throw Error(Error::Kind::Value,
+                    {"scale factor out of bounds", "scale of " + lobe.model->name(), formatNumber(scale), "0 or more"});
     if (lobe.parameters.size() != lobe.model->parameters().size())
-      throw Error(Error::Kind::Value, {"wrong number of parameters", lobe.model->name(),
-                                       std::to_string(lobe.parameters.size()),
-                                       std::to_string(lobe.model->parameters().size())});
+      throw Error(Error::Kind::Value,
+                  {"wrong number of parameters", lobe.model->name(), std::to_string(lobe.parameters.size()),
+                   std::to_string(lobe.model->parameters().size())});
     for (std::size_t k = 0; k < lobe.parameters.size(); ++k) {
       checkLength(lobe.parameters[k].size(), lobe.model->name() + "." + lobe.model->parameters()[k].name);
       for (const double value : lobe.parameters[k]) lobe.model->checkBounds(k, value);

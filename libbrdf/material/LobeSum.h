@@ -9,7 +9,7 @@
 namespace brdf {
 
 /// One lobe of a material: scale * model(parameters).
-struct Lobe {
+struct BRDF_EXPORT Lobe {
   ModelPointer model;
   std::vector<std::vector<double>> parameters;  ///< for each model parameter one value, or one value a channel
   std::vector<double> scale{1.0};               ///< one factor, or one a channel; non-negative

@@ -76,7 +76,8 @@ class ExpressionReader {
     expect(')');
     if (values.size() > 1) {
       if (listLength_ != 1 && listLength_ != values.size())
-        fail("lists of different lengths (" + std::to_string(listLength_) + " and " + std::to_string(values.size()) + ")",
+        fail("lists of different lengths (" + std::to_string(listLength_) + " and " + std::to_string(values.size()) +
+                 ")",
              start);
       listLength_ = values.size();
     }
@@ -118,7 +119,8 @@ class ExpressionReader {
     const std::size_t start = at_;
     const std::string parameter = name();
     const auto& parameters = lobe.model->parameters();
-    const auto it = std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == parameter; });
+    const auto it =
+        std::find_if(parameters.begin(), parameters.end(), [&](const Parameter& p) { return p.name == parameter; });
     if (it == parameters.end()) fail("unknown parameter of " + lobe.model->name(), start, parameterNames(*lobe.model));
     auto& values = lobe.parameters[static_cast<std::size_t>(it - parameters.begin())];
     if (!values.empty()) fail("parameter given twice", start);

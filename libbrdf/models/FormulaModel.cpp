@@ -97,9 +97,10 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
 
     const Sampler& sampler = findSampler(samplerName_, where_);
     if (sampler.arguments.size() != samplerArguments_.size())
-      throw Error(Error::Kind::Format, {"wrong number of arguments to sampler " + samplerName_, where_,
-                                        std::to_string(samplerArguments_.size()),
-                                        std::to_string(sampler.arguments.size()) + " (" + joined(sampler.arguments) + ")"});
+      throw Error(
+          Error::Kind::Format,
+          {"wrong number of arguments to sampler " + samplerName_, where_, std::to_string(samplerArguments_.size()),
+           std::to_string(sampler.arguments.size()) + " (" + joined(sampler.arguments) + ")"});
     formula::ParseOptions samplerOptions = options;
     for (std::size_t k = 0; k < samplerArguments_.size(); ++k) {
       options.where = where_ + ", sampler of " + name_;
@@ -126,7 +127,8 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
   return *compiled_;
 }
 
-void FormulaModel::evaluate(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* out) const {
+void FormulaModel::evaluate(const DirectionPairs<double>& pairs, std::span<const double> parameters,
+                            double* out) const {
   compiled().valueProgram->run(inputsOf(pairs).data(), parameters, &out, pairs.count);
 }
 
@@ -142,7 +144,8 @@ void FormulaModel::evaluateWithDerivatives(const DirectionPairs<double>& pairs, 
 }
 
 void FormulaModel::sample(const std::array<const double*, 3>& wo, const std::array<const double*, 2>& u,
-                          std::span<const double> parameters, const std::array<double*, 3>& wi, std::size_t count) const {
+                          std::span<const double> parameters, const std::array<double*, 3>& wi,
+                          std::size_t count) const {
   const double* const inputs[] = {nullptr, nullptr, nullptr, wo[0], wo[1], wo[2], u[0], u[1]};
   compiled().drawProgram->run(inputs, parameters, wi.data(), count);
 }

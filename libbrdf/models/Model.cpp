@@ -61,7 +61,9 @@ ModelPointer findModel(std::string_view name) {
     names.push_back(model->name());
   }
   const std::string nearest = closestName(name, names);
-  throw Error(Error::Kind::Value, {"unknown lobe", {}, "'" + std::string(name) + "'",
+  throw Error(Error::Kind::Value, {"unknown lobe",
+                                   {},
+                                   "'" + std::string(name) + "'",
                                    joined(names) + (nearest.empty() ? "" : " (did you mean " + nearest + "?)")});
 }
 

@@ -22,11 +22,11 @@ class BRDF_EXPORT Model {
   virtual ~Model();
 
   const std::string& name() const { return name_; }
-  const std::string& title() const { return title_; }            ///< one line
+  const std::string& title() const { return title_; }  ///< one line
   const std::string& description() const { return description_; }
   const std::vector<Parameter>& parameters() const { return parameters_; }
   const std::vector<Reference>& references() const { return references_; }
-  const std::string& equation() const { return equation_; }      ///< text in the formula language
+  const std::string& equation() const { return equation_; }  ///< text in the formula language
   bool isotropic() const { return isotropic_; }
   bool reciprocal() const { return reciprocal_; }
   /// True when the value depends on no direction (a Lambertian): environment light is then a cosine-convolved look-up.
@@ -50,7 +50,8 @@ class BRDF_EXPORT Model {
 
   /// Draws wi given wo from two random numbers; see Brdf::sample.
   virtual void sample(const std::array<const double*, 3>& wo, const std::array<const double*, 2>& u,
-                      std::span<const double> parameters, const std::array<double*, 3>& wi, std::size_t count) const = 0;
+                      std::span<const double> parameters, const std::array<double*, 3>& wi,
+                      std::size_t count) const = 0;
   /// Density of `sample` per solid angle.
   virtual void pdf(const DirectionPairs<double>& pairs, std::span<const double> parameters, double* density) const = 0;
 

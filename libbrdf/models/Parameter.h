@@ -14,7 +14,7 @@ struct Parameter {
   std::string unit;         ///< "1" for a pure number, else "rad", "um", ...
   std::string description;  ///< one sentence
   double defaultValue = 0;
-  double minimum = 0;      ///< hard bounds, inclusive: the model is finite and non-negative everywhere inside
+  double minimum = 0;  ///< hard bounds, inclusive: the model is finite and non-negative everywhere inside
   double maximum = 1;
   double softMinimum = 0;  ///< the range in which real materials lie: sliders and multi-start use it
   double softMaximum = 1;

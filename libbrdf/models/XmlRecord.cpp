@@ -8,8 +8,8 @@ pugi::xml_node xmlRoot(pugi::xml_document& document, std::string_view text, cons
                        std::string_view expectedRoot) {
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size());
   if (!result)
-    throw Error(Error::Kind::Format, {"not well-formed XML", where + ", byte " + std::to_string(result.offset),
-                                      result.description(), {}});
+    throw Error(Error::Kind::Format,
+                {"not well-formed XML", where + ", byte " + std::to_string(result.offset), result.description(), {}});
   const pugi::xml_node root = document.document_element();
   if (root.name() != expectedRoot)
     throw Error(Error::Kind::Format, {"wrong root element", where, "<" + std::string(root.name()) + ">",
@@ -20,7 +20,8 @@ pugi::xml_node xmlRoot(pugi::xml_document& document, std::string_view text, cons
 std::string requiredAttribute(const pugi::xml_node& node, const char* name, const std::string& where) {
   const std::string value = node.attribute(name).value();
   if (value.empty())
-    throw Error(Error::Kind::Format, {"missing attribute '" + std::string(name) + "' of <" + node.name() + ">", where, {}, {}});
+    throw Error(Error::Kind::Format,
+                {"missing attribute '" + std::string(name) + "' of <" + node.name() + ">", where, {}, {}});
   return value;
 }
 
@@ -29,8 +30,10 @@ double numberAttribute(const pugi::xml_node& node, const char* name, double othe
   if (!attribute) return otherwise;
   const auto value = parseNumber(attribute.value());
   if (!value)
-    throw Error(Error::Kind::Format, {"attribute '" + std::string(name) + "' of <" + node.name() + "> is no number", where,
-                                      "'" + std::string(attribute.value()) + "'", {}});
+    throw Error(Error::Kind::Format, {"attribute '" + std::string(name) + "' of <" + node.name() + "> is no number",
+                                      where,
+                                      "'" + std::string(attribute.value()) + "'",
+                                      {}});
   return *value;
 }
 
@@ -99,7 +102,8 @@ Parameter readParameter(const pugi::xml_node& node, const std::string& where) {
                        parameter.softMaximum <= parameter.maximum && parameter.minimum <= parameter.defaultValue &&
                        parameter.defaultValue <= parameter.maximum;
   if (!ordered)
-    throw Error(Error::Kind::Format, {"bounds out of order", here, {}, "min <= softMin <= softMax <= max, min <= default <= max"});
+    throw Error(Error::Kind::Format,
+                {"bounds out of order", here, {}, "min <= softMin <= softMax <= max, min <= default <= max"});
   return parameter;
 }
 
