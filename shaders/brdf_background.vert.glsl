@@ -1,0 +1,11 @@
+//VTK::System::Dec
+// A square over the whole picture at the far plane; `ray` is the direction seen, in coordinates of the environment map.
+in vec4 vertexMC;
+uniform mat4 brdfClipToEnvironment;
+out vec3 ray;
+void main()
+{
+  gl_Position = vec4(vertexMC.xy, 1.0, 1.0);
+  vec4 place = brdfClipToEnvironment * vec4(vertexMC.xy, 1.0, 1.0);
+  ray = place.xyz / place.w;
+}

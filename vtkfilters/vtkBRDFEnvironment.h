@@ -1,0 +1,95 @@
+#ifndef vtkBRDFEnvironment_h
+#define vtkBRDFEnvironment_h
+#include "vtkBRDFFiltersModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+class vtkWindow;
+namespace brdf
+{
+class CubeMap;
+class EnvironmentMap;
+}
+
+/**
+ * @class vtkBRDFEnvironment
+ * @brief Light from far away, ready for vtkBRDFPolyDataMapper
+ *
+ * Holds an equirectangular map of radiance (linear sRGB) and, made when first asked for, a cube map with mip levels and
+ * a cosine-convolved one; their textures belong to the render window that drew last. Orientation: the vertical is world
+ * +y, the middle of the picture -z, columns run to the right (+x) as seen from inside (brdf::EnvironmentMap).
+ */
+class VTKBRDFFILTERS_EXPORT vtkBRDFEnvironment : public vtkObject
+{
+public:
+  static vtkBRDFEnvironment* New();
+  vtkTypeMacro(vtkBRDFEnvironment, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** Reads an OpenEXR or Radiance file. False, with the reason in GetErrorText(), when it cannot; the map is then as it
+   * was. */
+  bool ReadFile(const std::string& path);
+  /** The same radiance from everywhere. The default is 1, 1, 1. */
+  void SetConstant(double red, double green, double blue);
+  /** Why the last ReadFile failed, in one line; empty when it succeeded. */
+  std::string GetErrorText() const { return this->ErrorText; }
+
+  ///@{
+  /** Degrees by which the surroundings are turned about +y, counter-clockwise seen from above. Costs nothing. */
+  vtkSetMacro(Rotation, double);
+  vtkGetMacro(Rotation, double);
+  ///@}
+
+  ///@{
+  /** Largest number of texels along a side of a cube face (a power of two at or below is taken); default 1024. A face
+   * of n texels resolves 90 / n degrees and takes 128 n^2 bytes with its mip levels. */
+  void SetMaximumFaceSize(int size);
+  vtkGetMacro(MaximumFaceSize, int);
+  ///@}
+
+  ///@{
+  /** Size of the map, in pixels. */
+  int GetMapWidth() const;
+  int GetMapHeight() const;
+  ///@}
+
+  /** Radiance (linear RGB) seen in a world direction, rotation included. */
+  void GetRadiance(const double direction[3], double rgb[3]) const;
+  /** Irradiance on a surface whose normal is a world direction, rotation included: exact sum over the map. */
+  void GetIrradiance(const double normal[3], double rgb[3]) const;
+
+  /** Texels along a side of the finest level of the radiance cube. */
+  int GetFaceSize() const;
+
+#ifndef __VTK_WRAP__
+  /** The map itself. */
+  const brdf::EnvironmentMap& GetMap() const;
+
+  ///@{
+  /** Textures for a window, whose context is current. */
+  vtkTextureObject* GetRadianceTexture(vtkOpenGLRenderWindow* window);
+  vtkTextureObject* GetDiffuseTexture(vtkOpenGLRenderWindow* window);
+  ///@}
+#endif
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+protected:
+  vtkBRDFEnvironment();
+  ~vtkBRDFEnvironment() override;
+
+private:
+  vtkBRDFEnvironment(const vtkBRDFEnvironment&) = delete;
+  void operator=(const vtkBRDFEnvironment&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Data;
+  std::string ErrorText;
+  double Rotation = 0;
+  int MaximumFaceSize = 1024;
+};
+#endif

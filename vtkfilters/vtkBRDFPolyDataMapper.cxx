@@ -1,0 +1,325 @@
+#include "vtkBRDFPolyDataMapper.h"
+
+#include "vtkBRDF.h"
+#include "vtkBRDFEnvironment.h"
+#include "vtkBRDFShaderText.h"
+
+#include "vtkCamera.h"
+#include "vtkInformation.h"
+#include "vtkLight.h"
+#include "vtkLightCollection.h"
+#include "vtkMath.h"
+#include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLVertexBufferObjectGroup.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/material/LobeSum.h>
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+class vtkBRDFPolyDataMapper::Internals
+{
+public:
+  std::shared_ptr<const brdf::Brdf> Brdf;
+  std::optional<vtkBRDFShaderText> Shader; // empty where the BRDF cannot be drawn
+  vtkTimeStamp StructureTime;              // when the shader's text last changed
+  vtkTextureObject* Radiance = nullptr;    // active ones, while drawing
+  vtkTextureObject* Diffuse = nullptr;
+};
+
+vtkStandardNewMacro(vtkBRDFPolyDataMapper);
+vtkCxxSetObjectMacro(vtkBRDFPolyDataMapper, Environment, vtkBRDFEnvironment);
+
+vtkBRDFPolyDataMapper::vtkBRDFPolyDataMapper()
+  : Material(std::make_unique<Internals>())
+{
+  this->SetNumberOfInputPorts(2);
+  this->ScalarVisibilityOff();
+}
+
+vtkBRDFPolyDataMapper::~vtkBRDFPolyDataMapper()
+{
+  this->SetEnvironment(nullptr);
+}
+
+int vtkBRDFPolyDataMapper::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkBRDF");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkBRDFPolyDataMapper::SetBRDFData(vtkBRDF* brdf)
+{
+  this->SetInputDataObject(1, brdf);
+}
+
+// Takes the BRDF from the pipeline; throws where it cannot be drawn.
+void vtkBRDFPolyDataMapper::UpdateMaterial()
+{
+  vtkBRDF* input = nullptr;
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    this->GetInputAlgorithm(1, 0)->Update();
+    input = vtkBRDF::SafeDownCast(this->GetInputDataObject(1, 0));
+  }
+  if (!input || input->IsEmpty())
+  {
+    this->Material->Brdf.reset();
+    this->Material->Shader.reset();
+    throw brdf::Error(brdf::Error::Kind::Value, { "no BRDF to draw with", {}, {}, {} });
+  }
+  if (input->GetBrdf() == this->Material->Brdf && this->Material->Shader)
+  {
+    return;
+  }
+  this->Material->Brdf = input->GetBrdf();
+  const auto* lobes = dynamic_cast<const brdf::LobeSum*>(this->Material->Brdf.get());
+  if (!lobes)
+  {
+    this->Material->Shader.reset();
+    throw brdf::Error(
+      brdf::Error::Kind::Value,
+      { "only sums of analytic lobes can be drawn: fit one to measured data", {}, input->GetDescription(), {} });
+  }
+  const std::string before = this->Material->Shader ? this->Material->Shader->Structure() : std::string();
+  this->Material->Shader.emplace(*lobes);
+  if (this->Material->Shader->Structure() != before)
+  {
+    this->Material->StructureTime.Modified();
+  }
+}
+
+void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
+{
+  this->ErrorText.clear();
+  try
+  {
+    this->UpdateMaterial();
+    if (this->Environment)
+    {
+      auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+      this->Material->Radiance = this->Environment->GetRadianceTexture(window);
+      this->Material->Diffuse = this->Environment->GetDiffuseTexture(window);
+      this->Material->Radiance->Activate();
+      this->Material->Diffuse->Activate();
+    }
+    this->Superclass::RenderPiece(renderer, actor);
+  }
+  catch (const std::exception& error)
+  {
+    this->ErrorText = error.what();
+    vtkErrorMacro(<< this->ErrorText);
+  }
+  for (vtkTextureObject** texture : { &this->Material->Radiance, &this->Material->Diffuse })
+  {
+    if (*texture)
+    {
+      (*texture)->Deactivate();
+      *texture = nullptr;
+    }
+  }
+}
+
+bool vtkBRDFPolyDataMapper::GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
+  return needed || cellBO.ShaderSourceTime < this->Material->StructureTime;
+}
+
+void vtkBRDFPolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  const vtkShaderProgram* before = cellBO.Program;
+  this->Superclass::UpdateShaders(cellBO, renderer, actor);
+  this->NumberOfShaderBuilds += cellBO.Program != before;
+}
+
+void vtkBRDFPolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
+                                                vtkRenderer* renderer,
+                                                vtkActor* actor)
+{
+  // Without lights in the renderer VTK would leave normals and positions out of the shader.
+  auto& complexity = this->PrimitiveInfo[this->LastBoundBO].LastLightComplexity;
+  const auto found = complexity;
+  complexity = static_cast<std::remove_reference_t<decltype(complexity)>>(1);
+  this->Superclass::ReplaceShaderValues(shaders, renderer, actor);
+  complexity = found;
+}
+
+void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*> shaders,
+                                               vtkRenderer* vtkNotUsed(renderer),
+                                               vtkActor* vtkNotUsed(actor))
+{
+  std::string fragment = shaders[vtkShader::Fragment]->GetSource();
+  std::string vertex = shaders[vtkShader::Vertex]->GetSource();
+  // A geometry shader (wide lines, edges) would have to pass the tangent on.
+  const bool tangents =
+    this->VBOs->GetNumberOfComponents("tangentMC") == 3 && shaders[vtkShader::Geometry]->GetSource().empty();
+  vtkShaderProgram::Substitute(fragment,
+                               "//VTK::System::Dec",
+                               "//VTK::System::Dec\n"
+                               "#extension GL_ARB_shader_bit_encoding : enable\n",
+                               false);
+  vtkShaderProgram::Substitute(fragment,
+                               "//VTK::Light::Dec",
+                               std::string(tangents ? "in vec3 brdfTangentVC;\n" : "") +
+                                 this->Material->Shader->Text(this->Environment != nullptr),
+                               false);
+  vtkShaderProgram::Substitute(
+    fragment,
+    "//VTK::Light::Impl",
+    std::string("  vec3 brdfViewer = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);\n"
+                "  gl_FragData[0] = vec4(brdfReflected(vertexVC.xyz, brdfViewer, normalVCVSOutput, ") +
+      (tangents ? "brdfTangentVC" : "vec3(0.0)") + "), opacity);\n",
+    false);
+  if (tangents)
+  {
+    vtkShaderProgram::Substitute(vertex,
+                                 "//VTK::Light::Dec",
+                                 "in vec3 tangentMC;\n"
+                                 "uniform mat4 brdfModelToView;\n"
+                                 "out vec3 brdfTangentVC;\n",
+                                 false);
+    vtkShaderProgram::Substitute(
+      vertex, "//VTK::Light::Impl", "  brdfTangentVC = mat3(brdfModelToView) * tangentMC;\n", false);
+  }
+  shaders[vtkShader::Fragment]->SetSource(fragment);
+  shaders[vtkShader::Vertex]->SetSource(vertex);
+}
+
+void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
+{
+  this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
+  vtkShaderProgram* program = cellBO.Program;
+  const vtkBRDFShaderText& shader = *this->Material->Shader;
+  const auto& parameters = shader.Parameters();
+  program->SetUniform1fv("brdfParameters", static_cast<int>(parameters.size()), parameters.data());
+  if (shader.NumberOfTerms() > 0)
+  {
+    const auto samples = shader.Samples(this->NumberOfSamples);
+    program->SetUniform3fv("brdfScales", shader.NumberOfTerms(), shader.Scales().data());
+    program->SetUniform1iv("brdfSamples", shader.NumberOfTerms(), samples.data());
+  }
+  program->SetUniformf("brdfGain", static_cast<float>(std::exp2(this->Exposure)));
+  program->SetUniformi("brdfEncoded", this->EncodeForDisplay);
+
+  vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
+  if (this->Environment)
+  {
+    this->SetEnvironmentUniforms(program, worldToView);
+  }
+  this->SetLights(program, renderer, worldToView);
+  if (program->IsUniformUsed("brdfModelToView"))
+  {
+    vtkNew<vtkMatrix4x4> modelToView;
+    vtkMatrix4x4::Multiply4x4(worldToView, actor->GetMatrix(), modelToView);
+    modelToView->Transpose();
+    program->SetUniformMatrix("brdfModelToView", modelToView);
+  }
+}
+
+void vtkBRDFPolyDataMapper::SetEnvironmentUniforms(vtkShaderProgram* program, vtkMatrix4x4* worldToView)
+{
+  // Rows of the rotation from the world to the map, then that of the view undone; columns first for OpenGL.
+  const double angle = vtkMath::RadiansFromDegrees(this->Environment->GetRotation());
+  const double rotation[3][3] = { { std::cos(angle), 0, -std::sin(angle) },
+                                  { 0, 1, 0 },
+                                  { std::sin(angle), 0, std::cos(angle) } };
+  float matrix[9];
+  for (int column = 0; column < 3; ++column)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      double sum = 0;
+      for (int k = 0; k < 3; ++k)
+      {
+        sum += rotation[row][k] * worldToView->GetElement(column, k);
+      }
+      matrix[3 * column + row] = static_cast<float>(sum);
+    }
+  }
+  program->SetUniformMatrix3x3("brdfViewToEnvironment", matrix);
+  program->SetUniformf("brdfRadianceMapSize", static_cast<float>(this->Environment->GetFaceSize()));
+  program->SetUniformf("brdfLevelBias", static_cast<float>(this->LevelBias));
+  program->SetUniformi("brdfRadianceMap", this->Material->Radiance->GetTextureUnit());
+  program->SetUniformi("brdfDiffuseMap", this->Material->Diffuse->GetTextureUnit());
+}
+
+void vtkBRDFPolyDataMapper::SetLights(vtkShaderProgram* program, vtkRenderer* renderer, vtkMatrix4x4* worldToView)
+{
+  constexpr int maximum = 8; // length of the arrays in brdf_surface.glsl
+  float position[maximum][4] = {}, power[maximum][3] = {};
+  int count = 0, left = 0;
+  vtkCollectionSimpleIterator iterator;
+  renderer->GetLights()->InitTraversal(iterator);
+  while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
+  {
+    if (!light->GetSwitch() || (this->Environment && light->LightTypeIsHeadlight()))
+    {
+      continue;
+    }
+    if (count == maximum)
+    {
+      ++left;
+      continue;
+    }
+    double place[4], focus[3];
+    light->GetTransformedPosition(place);
+    light->GetTransformedFocalPoint(focus);
+    place[3] = light->GetPositional() ? 1 : 0;
+    for (int axis = 0; axis < 3 && !light->GetPositional(); ++axis)
+    {
+      place[axis] -= focus[axis];
+    }
+    worldToView->MultiplyPoint(place, place);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      position[count][axis] = static_cast<float>(place[axis]);
+      power[count][axis] = static_cast<float>(light->GetDiffuseColor()[axis] * light->GetIntensity());
+    }
+    position[count++][3] = light->GetPositional() ? 1.0f : 0.0f;
+  }
+  if (left > 0)
+  {
+    vtkWarningMacro("more than " << maximum << " lights: " << left << " left out");
+  }
+  program->SetUniformi("brdfLightCount", count);
+  if (count > 0)
+  {
+    program->SetUniform4fv("brdfLightPosition", count, position);
+    program->SetUniform3fv("brdfLightPower", count, power);
+  }
+}
+
+void vtkBRDFPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  if (this->Environment)
+  {
+    this->Environment->ReleaseGraphicsResources(window);
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Environment: " << this->Environment << "\n"
+     << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
+     << indent << "LevelBias: " << this->LevelBias << "\n"
+     << indent << "Exposure: " << this->Exposure << "\n"
+     << indent << "EncodeForDisplay: " << this->EncodeForDisplay << "\n"
+     << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n"
+     << indent << "ErrorText: " << this->ErrorText << "\n";
+}

@@ -1,0 +1,130 @@
+#ifndef vtkBRDFPolyDataMapper_h
+#define vtkBRDFPolyDataMapper_h
+#include "vtkBRDFFiltersModule.h" // For export macro
+#include "vtkOpenGLPolyDataMapper.h"
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkAlgorithmOutput;
+class vtkBRDF;
+class vtkBRDFEnvironment;
+class vtkMatrix4x4;
+class vtkShaderProgram;
+
+/**
+ * @class vtkBRDFPolyDataMapper
+ * @brief Draws poly data with a BRDF under environment, directional and point light
+ *
+ * Input 0 is the geometry, input 1 the material: a sum of lobes (brdf::LobeSum), monochrome or RGB. Anything else
+ * (measured tables, spectral materials) is an error that says so, and nothing is drawn.
+ *
+ * What is drawn is outgoing radiance, linear, times 2^Exposure; with EncodeForDisplay it is sRGB-encoded, for the 8-bit
+ * windows of interactive programs. The color, opacity aside, and the interpolation of the actor's property are not
+ * used.
+ *
+ * Environment: filtered importance sampling (Colbert and Krivanek, GPU Gems 3, chapter 20). Each lobe l gets a share
+ * N_l of NumberOfSamples by its estimated contribution and is summed on its own, L = sum_l 1/N_l sum_k f_l(wi_k)
+ * cos(theta_k) / p_l(wi_k) * L_env(wi_k, solid angle 1 / (N_l p_l(wi_k))), with p_l the density of the lobe's own
+ * sampler, which also chooses the mip level. It converges to the reflected radiance as N grows; at finite N the filter
+ * blurs the light by about a sample's solid angle. A constant lobe takes the cosine-convolved map instead. Points are
+ * R2, shifted per pixel.
+ *
+ * Lights of the renderer: a vtkLight's color times intensity is irradiance across the beam for a directional light, and
+ * radiant intensity of a positional one (falling off with the square of distance; cone and attenuation are not used).
+ * At most eight. Headlights shine only where there is no environment, because renderers make one by themselves.
+ *
+ * The tangent is the active point tangents of the geometry (vtkPointData::SetTangents) where there are any, else an
+ * arbitrary one that varies smoothly with the normal: give tangents for anisotropic materials.
+ *
+ * Changing a parameter or scale of the material changes uniforms only; changing the lobes compiles once.
+ */
+class VTKBRDFFILTERS_EXPORT vtkBRDFPolyDataMapper : public vtkOpenGLPolyDataMapper
+{
+public:
+  static vtkBRDFPolyDataMapper* New();
+  vtkTypeMacro(vtkBRDFPolyDataMapper, vtkOpenGLPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** The material: the output of an algorithm, or a free-standing object. */
+  void SetBRDFConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void SetBRDFData(vtkBRDF* brdf);
+  ///@}
+
+  ///@{
+  /** Light from far away; null (the default) for none. */
+  virtual void SetEnvironment(vtkBRDFEnvironment* environment);
+  vtkGetObjectMacro(Environment, vtkBRDFEnvironment);
+  ///@}
+
+  ///@{
+  /** Samples of the environment a pixel, shared among the lobes; default 64. More is slower in proportion, sharper and
+   * less noisy. */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 20);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /** Mip levels added to each sample's: 0 takes the mean over exactly the sample's solid angle, 1 (the default) over
+   * four times it, which overlaps neighbouring samples and hides noise for a little more blur. */
+  vtkSetMacro(LevelBias, double);
+  vtkGetMacro(LevelBias, double);
+  ///@}
+
+  ///@{
+  /** Factor of 2^Exposure on the radiance; default 0. */
+  vtkSetMacro(Exposure, double);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /** Whether colours are cut to 1 and sRGB-encoded; off by default (linear). */
+  vtkSetMacro(EncodeForDisplay, bool);
+  vtkGetMacro(EncodeForDisplay, bool);
+  vtkBooleanMacro(EncodeForDisplay, bool);
+  ///@}
+
+  /** How often a shader has been built since the mapper was made. */
+  vtkGetMacro(NumberOfShaderBuilds, int);
+
+  /** Why nothing was drawn the last time, in one line; empty when all went well. */
+  std::string GetErrorText() const { return this->ErrorText; }
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkBRDFPolyDataMapper();
+  ~vtkBRDFPolyDataMapper() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  bool GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+  void ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
+                           vtkRenderer* renderer,
+                           vtkActor* actor) override;
+  void ReplaceShaderLight(std::map<vtkShader::Type, vtkShader*> shaders,
+                          vtkRenderer* renderer,
+                          vtkActor* actor) override;
+  void SetMapperShaderParameters(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor) override;
+
+private:
+  vtkBRDFPolyDataMapper(const vtkBRDFPolyDataMapper&) = delete;
+  void operator=(const vtkBRDFPolyDataMapper&) = delete;
+
+  class Internals;
+  void UpdateMaterial();
+  void SetLights(vtkShaderProgram* program, vtkRenderer* renderer, vtkMatrix4x4* worldToView);
+  void SetEnvironmentUniforms(vtkShaderProgram* program, vtkMatrix4x4* worldToView);
+
+  std::unique_ptr<Internals> Material;
+  vtkBRDFEnvironment* Environment = nullptr;
+  std::string ErrorText;
+  int NumberOfSamples = 64;
+  double LevelBias = 1;
+  double Exposure = 0;
+  bool EncodeForDisplay = false;
+  int NumberOfShaderBuilds = 0;
+};
+#endif

@@ -1,0 +1,167 @@
+#ifndef vtkBRDFRender_h
+#define vtkBRDFRender_h
+#include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFFiltersModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+#include <string> // For std::string
+
+class vtkAlgorithmOutput;
+class vtkBRDFEnvironment;
+class vtkCamera;
+class vtkImageData;
+
+/**
+ * @class vtkBRDFRender
+ * @brief Renders an object of a material under environment, directional and point light into a picture of radiance
+ *
+ * Input 0: the material (a sum of lobes, monochrome or RGB; see vtkBRDFPolyDataMapper). Input 1, optional: the object,
+ * vtkPolyData; without it a sphere of radius 1 about the origin whose tangents run around the vertical. Normals are
+ * made where the object has none (splitting edges sharper than 40 degrees). Output: vtkImageData, linear radiance times
+ * 2^Exposure, three floats a pixel. vtkBRDFToneMap makes it a PNG's, vtkBRDFEXRWriter an EXR.
+ *
+ * The world is right-handed with +y up, as in vtkBRDFEnvironment. Unless a camera is set, it looks at the middle of the
+ * object, from +z turned by Azimuth about +y (counter-clockwise seen from above) and raised by Elevation, so far off
+ * that the object's bounding sphere fills the picture up to a margin of 8 %.
+ *
+ * Draws headless (vtkBRDFHeadlessRenderWindow); the window, and with it the compiled shaders, are kept between updates.
+ */
+class VTKBRDFFILTERS_EXPORT vtkBRDFRender : public vtkBRDFAlgorithm
+{
+public:
+  static vtkBRDFRender* New();
+  vtkTypeMacro(vtkBRDFRender, vtkBRDFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** The object. */
+  void SetObjectConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+  /** The picture. */
+  vtkImageData* GetOutput();
+
+  ///@{
+  /** Pixels; default 512 x 512. */
+  vtkSetVector2Macro(Size, int);
+  vtkGetVector2Macro(Size, int);
+  ///@}
+
+  ///@{
+  /** Samples of the environment a pixel; default 64. */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 20);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /** See vtkBRDFPolyDataMapper; default 1. */
+  vtkSetMacro(LevelBias, double);
+  vtkGetMacro(LevelBias, double);
+  ///@}
+
+  ///@{
+  /** Coverage samples along silhouettes, 0 for none; default 4 (less where the device has fewer). */
+  vtkSetClampMacro(MultiSamples, int, 0, 16);
+  vtkGetMacro(MultiSamples, int);
+  ///@}
+
+  ///@{
+  /** Factor of 2^Exposure on everything; default 0. */
+  vtkSetMacro(Exposure, double);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /** Light from far away; null (the default) for none. */
+  virtual void SetEnvironment(vtkBRDFEnvironment* environment);
+  vtkGetObjectMacro(Environment, vtkBRDFEnvironment);
+  ///@}
+
+  ///@{
+  /** Lights besides. Directional: from the polar angle theta about +y and the azimuth phi (0 is +z, 90 is +x), degrees;
+   * r, g, b is the irradiance across the beam. Point: at x, y, z; r, g, b is the radiant intensity. At most eight. */
+  void AddDirectionalLight(double theta, double phi, double r, double g, double b);
+  void AddPointLight(double x, double y, double z, double r, double g, double b);
+  void RemoveAllLights();
+  ///@}
+
+  enum BackgroundType
+  {
+    BACKGROUND_ENVIRONMENT = 0, // the environment, where there is one (default)
+    BACKGROUND_COLOR = 1        // BackgroundColor
+  };
+
+  ///@{
+  vtkSetClampMacro(Background, int, BACKGROUND_ENVIRONMENT, BACKGROUND_COLOR);
+  vtkGetMacro(Background, int);
+  ///@}
+
+  ///@{
+  /** Width in degrees over which the environment is blurred behind the object; default 0. */
+  vtkSetMacro(BackgroundBlur, double);
+  vtkGetMacro(BackgroundBlur, double);
+  ///@}
+
+  ///@{
+  /** Linear radiance of a plain background; default black. Not scaled by Exposure. */
+  vtkSetVector3Macro(BackgroundColor, double);
+  vtkGetVector3Macro(BackgroundColor, double);
+  ///@}
+
+  ///@{
+  /** Where the camera stands, in degrees, and its vertical angle of view; defaults 0, 0 and 30. */
+  vtkSetMacro(Azimuth, double);
+  vtkGetMacro(Azimuth, double);
+  vtkSetClampMacro(Elevation, double, -89.0, 89.0);
+  vtkGetMacro(Elevation, double);
+  vtkSetClampMacro(ViewAngle, double, 1.0, 120.0);
+  vtkGetMacro(ViewAngle, double);
+  ///@}
+
+  ///@{
+  /** A camera of one's own; null (the default) for the one above. */
+  virtual void SetCamera(vtkCamera* camera);
+  vtkGetObjectMacro(Camera, vtkCamera);
+  ///@}
+
+  /** The camera that drew the last picture; null before. */
+  vtkCamera* GetActiveCamera();
+
+  /** What draws, in one line: EGL platform, device, OpenGL version; or why nothing can. */
+  std::string GetDeviceDescription();
+
+  /** How often a shader has been built since the object was made. */
+  int GetNumberOfShaderBuilds();
+
+  vtkMTimeType GetMTime() override;
+
+protected:
+  vtkBRDFRender();
+  ~vtkBRDFRender() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+  int RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
+private:
+  vtkBRDFRender(const vtkBRDFRender&) = delete;
+  void operator=(const vtkBRDFRender&) = delete;
+
+  class Scene;
+  Scene& GetScene();
+  void PlaceCamera(const double bounds[6]);
+
+  std::unique_ptr<Scene> Graphics; // made when first needed
+  vtkBRDFEnvironment* Environment = nullptr;
+  vtkCamera* Camera = nullptr;
+  int Size[2] = { 512, 512 };
+  int NumberOfSamples = 64;
+  double LevelBias = 1;
+  int MultiSamples = 4;
+  double Exposure = 0;
+  int Background = BACKGROUND_ENVIRONMENT;
+  double BackgroundBlur = 0;
+  double BackgroundColor[3] = { 0, 0, 0 };
+  double Azimuth = 0;
+  double Elevation = 0;
+  double ViewAngle = 30;
+};
+#endif

@@ -1,0 +1,207 @@
+#include "vtkBRDFShaderText.h"
+
+#include "brdfShaders.h"
+
+#include <brdf/base/Error.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// "p[3], p[4]" or "p0, p1": arguments after the directions, each preceded by a comma.
+std::string Arguments(std::size_t count, std::size_t first, bool local)
+{
+  std::string text;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += local ? ", p" + std::to_string(i) : ", brdfParameters[" + std::to_string(first + i) + "]";
+  }
+  return text;
+}
+}
+
+vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
+{
+  const brdf::Channels& channels = material.channels();
+  if (channels.kind == brdf::Channels::Kind::Spectral)
+  {
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "a spectral material cannot be drawn",
+                        {},
+                        std::to_string(channels.count()) + " wavelengths",
+                        "monochrome, RGB" });
+  }
+  const auto& lobes = material.lobes();
+  for (std::size_t index = 0; index < lobes.size(); ++index)
+  {
+    const brdf::Lobe& lobe = lobes[index];
+    if (std::find(this->Models.begin(), this->Models.end(), lobe.model) == this->Models.end())
+    {
+      this->Models.push_back(lobe.model);
+    }
+    const bool shared = lobe.channelIndependent() || channels.count() == 1;
+    const std::size_t terms = shared ? 1 : channels.count();
+    for (std::size_t term = 0; term < terms; ++term)
+    {
+      this->Terms.push_back({ lobe.model.get(),
+                              this->ParameterValues.size(),
+                              material.samplingWeights()[index] / static_cast<double>(terms) });
+      for (double value : lobe.parametersOf(term))
+      {
+        this->ParameterValues.push_back(static_cast<float>(value));
+      }
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        const double scale = lobe.scaleOf(channels.count() == 1 ? 0 : channel);
+        this->ScaleValues.push_back(shared || channel == term ? static_cast<float>(scale) : 0.0f);
+      }
+      this->StructureText += lobe.model->name() + "\n";
+    }
+  }
+  // An array of length zero is not GLSL: keep one number when no lobe has parameters.
+  if (this->ParameterValues.empty())
+  {
+    this->ParameterValues.push_back(0.0f);
+  }
+}
+
+std::vector<int> vtkBRDFShaderText::Samples(int samples) const
+{
+  // Constant terms need none: what they would get goes to the others.
+  double total = 0;
+  for (const Term& term : this->Terms)
+  {
+    total += term.Model->constant() ? 0 : term.Weight;
+  }
+  std::vector<int> counts;
+  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  {
+    const bool needed = !this->Terms[i].Model->constant() && this->Terms[i].Weight > 0;
+    const double share = needed ? this->Terms[i].Weight / total : 0;
+    counts.push_back(needed ? std::max(std::min(samples, 8), static_cast<int>(std::lround(share * samples))) : 0);
+  }
+  return counts;
+}
+
+std::string vtkBRDFShaderText::SamplerText(const brdf::Model& model) const
+{
+  const std::string name = "brdf_" + model.name();
+  const std::size_t count = model.parameters().size();
+  const std::string arguments = Arguments(count, 0, true);
+  std::string text =
+    "vec3 brdfReflected_" + model.name() + "(vec3 wo, mat3 frame, uvec2 shift, int samples, int first)\n{\n";
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    text += "  float p" + std::to_string(i) + " = brdfParameters[first + " + std::to_string(i) + "];\n";
+  }
+  return text +
+         "  vec3 sum = vec3(0.0);\n"
+         "  for (int i = 0; i < samples; ++i)\n"
+         "  {\n"
+         "    vec3 wi = " +
+         name + "_sample(wo, brdfPoint(i, shift)" + arguments +
+         ");\n"
+         "    float density = " +
+         name + "_pdf(wi, wo" + arguments +
+         ");\n"
+         "    if (wi.z > 0.0 && density > 0.0)\n"
+         "    {\n"
+         "      sum += brdfRadiance(frame * wi, density * float(samples)) *\n"
+         "        (" +
+         name + "(wi, wo" + arguments +
+         ") * wi.z / density);\n"
+         "    }\n"
+         "  }\n"
+         "  return samples > 0 ? sum / float(samples) : vec3(0.0);\n"
+         "}\n";
+}
+
+std::string vtkBRDFShaderText::ValueText() const
+{
+  std::string text = "vec3 brdfValue(vec3 wi, vec3 wo)\n{\n  vec3 value = vec3(0.0);\n";
+  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  {
+    const Term& term = this->Terms[i];
+    text += "  value += brdfScales[" + std::to_string(i) + "] * brdf_" + term.Model->name() + "(wi, wo" +
+            Arguments(term.Model->parameters().size(), term.Offset, false) + ");\n";
+  }
+  return text + "  return value;\n}\n";
+}
+
+std::string vtkBRDFShaderText::EnvironmentText() const
+{
+  std::string text = "vec3 brdfEnvironment(vec3 wo, mat3 frame, uvec2 pixel)\n{\n  vec3 radiance = vec3(0.0);\n";
+  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  {
+    const Term& term = this->Terms[i];
+    text += "  radiance += brdfScales[" + std::to_string(i) + "] * ";
+    if (term.Model->constant())
+    {
+      // Any direction gives its value; pi turns irradiance / pi into irradiance.
+      text += "(3.14159265 * brdf_" + term.Model->name() + "(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0)" +
+              Arguments(term.Model->parameters().size(), term.Offset, false) +
+              ")) * texture(brdfDiffuseMap, frame[2]).rgb;\n";
+    }
+    else
+    {
+      // Terms differ in their shift, so that their samples are independent.
+      text += "brdfReflected_" + term.Model->name() + "(wo, frame, brdfHash(pixel + uvec2(" + std::to_string(7919 * i) +
+              "u)), brdfSamples[" + std::to_string(i) + "], " + std::to_string(term.Offset) + ");\n";
+    }
+  }
+  return text + "  return radiance;\n}\n";
+}
+
+std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment) const
+{
+  const std::string terms = std::to_string(std::max<std::size_t>(this->Terms.size(), 1));
+  std::vector<Piece> pieces;
+  pieces.push_back({ "formula prelude", brdf::Model::glslPrelude() });
+  pieces.push_back({ "uniforms of the material",
+                     "uniform float brdfParameters[" + std::to_string(this->ParameterValues.size()) +
+                       "];\nuniform vec3 brdfScales[" + terms + "];\nuniform int brdfSamples[" + terms + "];\n" });
+  if (environment)
+  {
+    pieces.push_back(
+      { "brdf_environment.glsl", "#define BRDF_ENVIRONMENT\n#line 1\n" + std::string(File("brdf_environment.glsl")) });
+  }
+  for (const auto& model : this->Models)
+  {
+    pieces.push_back({ "model " + model->name(), model->glsl() });
+    if (environment && !model->constant())
+    {
+      pieces.push_back({ "sampling of " + model->name(), this->SamplerText(*model) });
+    }
+  }
+  pieces.push_back({ "value of the material", this->ValueText() });
+  if (environment)
+  {
+    pieces.push_back({ "environment light on the material", this->EnvironmentText() });
+  }
+  pieces.push_back({ "brdf_surface.glsl", std::string(File("brdf_surface.glsl")) });
+  return pieces;
+}
+
+std::string vtkBRDFShaderText::Text(bool environment) const
+{
+  std::string text;
+  int number = 0;
+  for (const Piece& piece : this->Pieces(environment))
+  {
+    text += "// " + piece.Name + "\n#line 1 " + std::to_string(number++) + "\n" + piece.Text + "\n";
+  }
+  return text;
+}
+
+std::string_view vtkBRDFShaderText::File(std::string_view name)
+{
+  for (const auto& file : brdf::brdfShaders())
+  {
+    if (file.name == name)
+    {
+      return file.text;
+    }
+  }
+  throw brdf::Error(brdf::Error::Kind::Value, { "no such shader", {}, std::string(name), {} });
+}

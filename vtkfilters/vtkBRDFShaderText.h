@@ -1,0 +1,62 @@
+#ifndef vtkBRDFShaderText_h
+#define vtkBRDFShaderText_h
+#include <brdf/material/LobeSum.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Text and numbers of the shader that draws a sum of lobes. Pure text: knows neither VTK nor OpenGL.
+//
+// The sum is written as terms: a lobe whose shape the channels share is one term; a channel-dependent lobe is one term
+// a channel, which colours that channel only. Text() depends on the models and their order alone (Structure()), so that
+// changing a parameter or a scale changes numbers and never compiles.
+class vtkBRDFShaderText
+{
+public:
+  // Channels: monochrome (drawn grey) or RGB; throws brdf::Error for spectral ones.
+  explicit vtkBRDFShaderText(const brdf::LobeSum& material);
+
+  // Same text for the same structure.
+  const std::string& Structure() const { return this->StructureText; }
+
+  // GLSL of the whole material, for the place of the declarations, with or without environment light. Every piece
+  // starts with its name in a comment and a #line, whose source number counts the pieces from 0.
+  std::string Text(bool environment) const;
+
+  // Uniforms: brdfParameters (floats), brdfScales (3 floats a term), brdfSamples (1 integer a term).
+  const std::vector<float>& Parameters() const { return this->ParameterValues; }
+  const std::vector<float>& Scales() const { return this->ScaleValues; }
+  // `samples` divided among the terms by their contribution, at least 8 for a term that reflects anything.
+  std::vector<int> Samples(int samples) const;
+
+  int NumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
+
+  // Text of an embedded shader file.
+  static std::string_view File(std::string_view name);
+
+private:
+  struct Piece
+  {
+    std::string Name;
+    std::string Text;
+  };
+  struct Term
+  {
+    const brdf::Model* Model;
+    std::size_t Offset; // of its first parameter
+    double Weight;      // share of the samples
+  };
+  std::vector<Piece> Pieces(bool environment) const;
+  std::string SamplerText(const brdf::Model& model) const;
+  std::string ValueText() const;
+  std::string EnvironmentText() const;
+
+  std::vector<brdf::ModelPointer> Models; // distinct ones, in order of first use
+  std::vector<Term> Terms;
+  std::vector<float> ParameterValues;
+  std::vector<float> ScaleValues;
+  std::string StructureText;
+};
+
+#endif
