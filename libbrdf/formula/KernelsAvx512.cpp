@@ -1,6 +1,5 @@
 // Compiled for AVX512; see CMakeLists.txt.
 #include <brdf/formula/Kernels.h>
-#include <brdf/formula/Kernels.inl>
 #include <brdf/formula/KernelsX86.inl>
 
 namespace brdf::formula {

@@ -1,4 +1,4 @@
-// Simd<T> for x86-64, chosen by the instruction set this file is compiled for; see Kernels.inl. The vector functions
+// Simd<T> for x86-64, chosen by the instruction set this file is compiled for; see Kernels.inl, which it ends by including. The vector functions
 // are SLEEF's, at most 1.0 ulp off (erfc 1.5 ulp), which tests/formula measures against extended precision.
 #include <immintrin.h>
 #include <sleef.h>
@@ -104,3 +104,5 @@ double digammaOfPositive(double x) {
 }
 
 }  // namespace
+
+#include <brdf/formula/Kernels.inl>

@@ -12,6 +12,9 @@ namespace {
 
 constexpr int kMaximumExpansion = 64;           // of functions within functions: ends recursion
 constexpr std::size_t kMaximumNodes = 200'000;  // in one graph
+// Visits of syntax nodes in one parse(), every expansion of a function counted: functions that call each other several
+// times multiply, and equal expressions do not make the graph grow.
+constexpr std::size_t kMaximumVisits = 500'000;
 
 struct Builtin {
   std::string_view name;
@@ -49,8 +52,13 @@ struct LocalFunction {
 class Lowering {
  public:
   Lowering(Graph& graph, const ParseOptions& options, const std::string& where, int expansion,
-           std::vector<std::string>& functionsUsed)
-      : graph_(graph), options_(options), where_(where), expansion_(expansion), functionsUsed_(functionsUsed) {}
+           std::vector<std::string>& functionsUsed, std::size_t& visits)
+      : graph_(graph),
+        options_(options),
+        where_(where),
+        expansion_(expansion),
+        functionsUsed_(functionsUsed),
+        visits_(visits) {}
 
   NodeId run(const std::vector<Statement>& statements, Scope& scope) {
     NodeId value = 0;
@@ -70,7 +78,7 @@ class Lowering {
 
  private:
   NodeId lower(const Expression& e, const Scope& scope) {
-    if (graph_.size() > kMaximumNodes)
+    if (graph_.size() > kMaximumNodes || ++visits_ > kMaximumVisits)
       formulaError(where_, e.position, "formula too large", {},
                    "at most " + std::to_string(kMaximumNodes) + " operations");
     switch (e.kind) {
@@ -167,7 +175,7 @@ class Lowering {
     for (std::size_t k = 0; k < arguments.size(); ++k) inner[function.arguments[k]] = arguments[k];
     const std::string where = function.where.empty() ? "function " + function.name : function.where;
     const std::vector<Statement> body = parseStatements(function.body, where);
-    return Lowering(graph_, options_, where, expansion_ + depth_, functionsUsed_).run(body, inner);
+    return Lowering(graph_, options_, where, expansion_ + depth_, functionsUsed_, visits_).run(body, inner);
   }
 
   NodeId builtinCall(const Expression& e, const std::vector<NodeId>& a) {
@@ -200,6 +208,7 @@ class Lowering {
   int expansion_;
   int depth_ = 0;
   std::vector<std::string>& functionsUsed_;
+  std::size_t& visits_;
   std::map<std::string, LocalFunction, std::less<>> localFunctions_;
 };
 
@@ -218,7 +227,8 @@ ParseResult parse(Graph& graph, std::string_view text, const ParseOptions& optio
   ParseResult result;
   const std::vector<Statement> statements = parseStatements(text, options.where);
   Scope scope = options.bindings;
-  result.value = Lowering(graph, options, options.where, 0, result.functionsUsed).run(statements, scope);
+  std::size_t visits = 0;
+  result.value = Lowering(graph, options, options.where, 0, result.functionsUsed, visits).run(statements, scope);
   result.variables = std::move(scope);
   return result;
 }
