@@ -3,7 +3,7 @@
 #include "vtkBRDF.h"
 #include "vtkObjectFactory.h"
 
-#include <brdf/material/LobeSum.h>
+#include <brdf/io/LoadMaterial.h>
 
 vtkStandardNewMacro(vtkBRDFSource);
 
@@ -16,7 +16,7 @@ vtkBRDFSource::~vtkBRDFSource() = default;
 
 int vtkBRDFSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  vtkBRDF::GetData(outputs)->SetBrdf(brdf::parseMaterialExpression(this->Material));
+  vtkBRDF::GetData(outputs)->SetBrdf(brdf::loadMaterial(this->Material).brdf);
   return 1;
 }
 
