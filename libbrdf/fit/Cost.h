@@ -17,13 +17,13 @@ struct ChannelRange {
 using Scales = std::vector<double>;
 
 /// Scales of a start: 0, or what the problem holds fixed.
-Scales initialScales(const FitProblem& problem, std::size_t channels);
+BRDF_EXPORT Scales initialScales(const FitProblem& problem, std::size_t channels);
 
 /// The squared error as a function of the shape alone, the scale factors solved by non-negative least squares (variable
 /// projection, Golub and Pereyra 1973, on the lobes whose factor is positive). For quadratic metrics. One pass over the
 /// samples gives the Gram matrix of lobes, their derivatives and the residual; everything else follows from it, and the
 /// shape is evaluated once for all channels. No Jacobian of the data is kept.
-class SeparableCost : public CostFunction {
+class BRDF_EXPORT SeparableCost : public CostFunction {
  public:
   SeparableCost(const FitProblem& problem, const FitData& data, ChannelRange channels);
 
@@ -53,7 +53,7 @@ class SeparableCost : public CostFunction {
 
 /// The squared error as a function of the shape and the scale factors, for any metric: x is the shape coordinates, then
 /// the free scale factors, channel by channel.
-class JointCost : public CostFunction {
+class BRDF_EXPORT JointCost : public CostFunction {
  public:
   JointCost(const FitProblem& problem, const FitData& data, ChannelRange channels);
 

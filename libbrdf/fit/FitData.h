@@ -15,7 +15,7 @@ struct FitChunk {
 
 /// The valid samples of a target, in the metric's own values. Chunks are summed in their order, so that no result
 /// depends on the number of threads.
-struct FitData {
+struct BRDF_EXPORT FitData {
   static constexpr std::size_t kChunkLength = 8192;
 
   const Metric* metric = nullptr;

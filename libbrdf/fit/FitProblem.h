@@ -25,7 +25,7 @@ struct ShapeCoordinate {
 
 /// A sum of lobes to be fitted, as a function of shape coordinates: which parameters move, in what coordinates and
 /// bounds, and the batched evaluation of every lobe with its derivatives.
-class FitProblem {
+class BRDF_EXPORT FitProblem {
  public:
   /// Throws Error::Kind::Value for an unknown parameter, a value out of bounds, or a tie that cannot be. On an
   /// isotropic target a parameter that follows another (Parameter::follows: the roughness along y, say) is tied to it

@@ -62,7 +62,8 @@ OptimizerResult runNlopt(nlopt::algorithm algorithm, CostFunction& cost, std::ve
                          const OptimizerOptions& options) {
   const std::size_t n = start.size();
   // The quadratic models of BOBYQA and NEWUOA need two variables: a lone one gets a companion without influence.
-  const std::size_t dimension = std::max<std::size_t>(n, 2);
+  const bool needsTwo = algorithm == nlopt::LN_BOBYQA || algorithm == nlopt::LN_NEWUOA_BOUND;
+  const std::size_t dimension = std::max<std::size_t>(n, needsTwo ? 2 : 1);
   std::vector<double> lower = cost.lower(), upper = cost.upper(), step(dimension);
   lower.resize(dimension, 0.0);
   upper.resize(dimension, 1.0);

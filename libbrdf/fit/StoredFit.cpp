@@ -1,0 +1,127 @@
+#include <brdf/base/Error.h>
+#include <brdf/fit/StoredFit.h>
+
+#include <cmath>
+#include <limits>
+
+namespace brdf {
+namespace {
+
+void storeNumbers(const h5::Group& group, const std::map<std::string, double>& numbers) {
+  for (const auto& [name, value] : numbers) group.setNumber(name, value);
+}
+
+std::map<std::string, double> restoreNumbers(const h5::Group& group) {
+  std::map<std::string, double> numbers;
+  for (const std::string& name : group.attributeNames()) numbers[name] = group.number(name);
+  return numbers;
+}
+
+void storeParameters(const h5::Group& group, const std::vector<FittedParameter>& parameters) {
+  std::vector<std::string> names, lobes;
+  std::vector<std::int64_t> lobeIndices, channels, fixed, atBound;
+  std::vector<double> values, standardErrors, minima, maxima;
+  for (const FittedParameter& parameter : parameters) {
+    names.push_back(parameter.name);
+    lobes.push_back(parameter.lobe);
+    lobeIndices.push_back(static_cast<std::int64_t>(parameter.lobeIndex));
+    channels.push_back(parameter.channel ? static_cast<std::int64_t>(*parameter.channel) : -1);
+    values.push_back(parameter.value);
+    standardErrors.push_back(parameter.standardError.value_or(std::numeric_limits<double>::quiet_NaN()));
+    minima.push_back(parameter.minimum);
+    maxima.push_back(parameter.maximum);
+    fixed.push_back(parameter.fixed);
+    atBound.push_back(parameter.atBound);
+  }
+  group.setTexts("Name", names);
+  group.setTexts("Lobe", lobes);
+  group.setIntegers("LobeIndex", lobeIndices);
+  group.setIntegers("Channel", channels);
+  group.setNumbers("Value", values);
+  group.setNumbers("StandardError", standardErrors);
+  group.setNumbers("Minimum", minima);
+  group.setNumbers("Maximum", maxima);
+  group.setIntegers("Fixed", fixed);
+  group.setIntegers("AtBound", atBound);
+}
+
+std::vector<FittedParameter> restoreParameters(const h5::Group& group) {
+  const std::vector<std::string> names = group.texts("Name"), lobes = group.texts("Lobe");
+  const std::size_t count = names.size();
+  if (count == 0) return {};
+  const auto numbers = [&](const char* name) {
+    std::vector<double> list = group.numbers(name);
+    if (list.size() != count || lobes.size() != count)
+      throw Error(Error::Kind::Format, {"columns of parameters differ in length", group.where() + "/" + name,
+                                        std::to_string(list.size()), std::to_string(count)});
+    return list;
+  };
+  const auto lobeIndices = group.integers("LobeIndex", count), channels = group.integers("Channel", count),
+             fixed = group.integers("Fixed", count), atBound = group.integers("AtBound", count);
+  const auto values = numbers("Value"), standardErrors = numbers("StandardError"), minima = numbers("Minimum"),
+             maxima = numbers("Maximum");
+  std::vector<FittedParameter> parameters(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    FittedParameter& parameter = parameters[i];
+    parameter.name = names[i];
+    parameter.lobe = lobes[i];
+    parameter.lobeIndex = static_cast<std::size_t>(lobeIndices[i]);
+    if (channels[i] >= 0) parameter.channel = static_cast<std::size_t>(channels[i]);
+    parameter.value = values[i];
+    if (!std::isnan(standardErrors[i])) parameter.standardError = standardErrors[i];
+    parameter.minimum = minima[i];
+    parameter.maximum = maxima[i];
+    parameter.fixed = fixed[i] != 0;
+    parameter.atBound = atBound[i] != 0;
+  }
+  return parameters;
+}
+
+}  // namespace
+
+void storeFit(const h5::Group& entry, const FitReport& report) {
+  const auto count = [](std::size_t n) { return static_cast<std::int64_t>(n); };
+  const h5::Group group = entry.createGroup("Fit");
+  group.setText("Metric", report.metric);
+  group.setText("Optimizer", report.optimizer);
+  group.setText("Strategy", report.strategy);
+  group.setNumber("Error", report.error);
+  group.setNumber("Seconds", report.seconds);
+  group.setInteger("Evaluations", count(report.evaluations));
+  group.setInteger("Iterations", count(report.iterations));
+  group.setInteger("Samples", count(report.samples));
+  group.setInteger("Channels", count(report.channels));
+  group.setInteger("Converged", report.converged);
+  group.setText("Termination", report.termination);
+  group.setTexts("Notes", report.notes);
+  storeNumbers(group.createGroup("Metrics"), report.metrics);
+  storeNumbers(group.createGroup("ZeroModel"), report.zeroModel);
+  storeParameters(group.createGroup("Parameters"), report.parameters);
+}
+
+FitReport loadFit(const Container& container, std::size_t index) {
+  const h5::Group& entry = container.group(index);
+  if (!container.entries().at(index).isFit) throw Error(Error::Kind::Value, {"no fit", entry.where(), {}, {}});
+  const h5::Group group = entry.group("Fit");
+  const auto count = [&](const char* name) { return static_cast<std::size_t>(group.integer(name)); };
+  FitReport report;
+  report.material = std::dynamic_pointer_cast<const LobeSum>(container.load(index));
+  report.metric = group.text("Metric");
+  report.optimizer = group.text("Optimizer");
+  report.strategy = group.text("Strategy");
+  report.error = group.number("Error");
+  report.seconds = group.number("Seconds");
+  report.evaluations = count("Evaluations");
+  report.iterations = count("Iterations");
+  report.samples = count("Samples");
+  report.channels = count("Channels");
+  report.converged = group.integer("Converged") != 0;
+  report.termination = group.text("Termination");
+  report.notes = group.texts("Notes");
+  report.metrics = restoreNumbers(group.group("Metrics"));
+  report.zeroModel = restoreNumbers(group.group("ZeroModel"));
+  report.parameters = restoreParameters(group.group("Parameters"));
+  return report;
+}
+
+}  // namespace brdf
