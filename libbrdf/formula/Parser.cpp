@@ -184,12 +184,12 @@ class Lowering {
     if (e.name == ">") return graph_.make(Op::Less, a[1], a[0]);
     if (e.name == ">=") return graph_.make(Op::LessEqual, a[1], a[0]);
     if (e.name == "!=") return graph_.make(Op::Not, graph_.make(Op::Equal, a[0], a[1]));
-    if (e.name == "select") return checkCount(e, 3), graph_.select(a[0], a[1], a[2]);
+    if (e.name == "select" || e.name == "if") return checkCount(e, 3), graph_.select(a[0], a[1], a[2]);
     if (e.name == "sqr") return checkCount(e, 1), graph_.mul(a[0], a[0]);
     if (e.name == "hypot")
       return checkCount(e, 2), graph_.sqrt(graph_.add(graph_.mul(a[0], a[0]), graph_.mul(a[1], a[1])));
     if (e.name == "min" || e.name == "max") {
-      if (a.size() < 2) checkCount(e, 2);
+      if (a.empty()) checkCount(e, 1);
       NodeId result = a[0];
       for (std::size_t k = 1; k < a.size(); ++k)
         result = graph_.make(e.name == "min" ? Op::Min : Op::Max, result, a[k]);

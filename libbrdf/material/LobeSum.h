@@ -66,7 +66,8 @@ class BRDF_EXPORT LobeSum : public Brdf {
 /// Reads a material expression: lobes joined by '+', each with optional scale factors `s *` where s is a number or one
 /// number a channel `(s0, s1, ...)`, parameters named `name=value` or `name=(v0, v1, ...)`. Three values anywhere make
 /// it RGB, all single values monochrome; other channels must be named by `channels`, whose count every list must have.
-/// Example: "(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)". Throws Error::Kind::Formula with the column,
+/// Example: "(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)". A microfacet lobe may be composed of its terms:
+/// "Microfacet(D=Beckmann(alpha=0.1), F=Conductor(eta=0.2, k=3), G=Smith)" (models/Microfacet.h). Throws Error::Kind::Formula with the column,
 /// what was expected and the nearest known name, Error::Kind::Value for a value out of bounds.
 BRDF_EXPORT std::shared_ptr<const LobeSum> parseMaterialExpression(std::string_view text,
                                                                    std::optional<Channels> channels = {});

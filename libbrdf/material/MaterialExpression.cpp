@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/material/LobeSum.h>
+#include <brdf/models/Microfacet.h>
 
 #include <algorithm>
 #include <cctype>
@@ -93,17 +94,12 @@ class ExpressionReader {
     }
     const std::size_t start = at_;
     const std::string modelName = name();
-    const std::vector<std::string> known = modelNames();
-    if (std::find(known.begin(), known.end(), modelName) == known.end()) {
-      const std::string nearest = closestName(modelName, known);
-      fail("unknown lobe", start, joined(known) + (nearest.empty() ? "" : " (did you mean " + nearest + "?)"));
-    }
-    lobe.model = findModel(modelName);
-    lobe.parameters.resize(lobe.model->parameters().size());
-    if (accept('(') && !accept(')')) {
-      do argument(lobe);
-      while (accept(','));
-      expect(')');
+    if (modelName == "Microfacet") {
+      microfacet(lobe);
+    } else {
+      lobe.model = model(modelName, start);
+      lobe.parameters.resize(lobe.model->parameters().size());
+      arguments(lobe);
     }
     for (std::size_t k = 0; k < lobe.parameters.size(); ++k) {
       if (!lobe.parameters[k].empty()) continue;
@@ -112,6 +108,79 @@ class ExpressionReader {
                                                      : lobe.parameters[lobe.model->parameterIndex(parameter.follows)];
     }
     return lobe;
+  }
+
+  ModelPointer model(const std::string& modelName, std::size_t start) const {
+    const std::vector<std::string> known = modelNames();
+    const bool composed = modelName.rfind("Microfacet_", 0) == 0;
+    if (!composed && std::find(known.begin(), known.end(), modelName) == known.end()) {
+      const std::string nearest = closestName(modelName, known);
+      fail("unknown lobe", start, joined(known) + (nearest.empty() ? "" : " (did you mean " + nearest + "?)"));
+    }
+    return findModel(modelName);
+  }
+
+  void arguments(Lobe& lobe) {
+    if (!accept('(') || accept(')')) return;
+    do argument(lobe);
+    while (accept(','));
+    expect(')');
+  }
+
+  /// Microfacet(D=GGX(alpha=0.2), F=Dielectric(ior=1.5), G=Smith): each term once, in any order, its parameters in its
+  /// own parentheses.
+  void microfacet(Lobe& lobe) {
+    struct Term {
+      char key;
+      const std::vector<std::string>& names;
+      std::string name;
+      std::size_t argumentsAt = 0;  ///< where its '(' stands, or 0
+    };
+    const MicrofacetTerms& known = microfacetTerms();
+    Term terms[] = {{'D', known.distributions, {}}, {'F', known.fresnels, {}}, {'G', known.shadowings, {}}};
+    expect('(');
+    do {
+      skipBlanks();
+      const std::size_t start = at_;
+      const std::string key = name();
+      Term* term = nullptr;
+      for (Term& candidate : terms)
+        if (key.size() == 1 && key[0] == candidate.key) term = &candidate;
+      if (term == nullptr) fail("expected a term of Microfacet", start, "D=..., F=..., G=...");
+      if (!term->name.empty()) fail("term given twice", start);
+      expect('=');
+      skipBlanks();
+      const std::size_t termStart = at_;
+      term->name = name();
+      if (std::find(term->names.begin(), term->names.end(), term->name) == term->names.end())
+        fail("unknown " + key, termStart, joined(term->names));
+      if (peek() != '(') continue;
+      term->argumentsAt = at_;
+      skipParentheses();
+    } while (accept(','));
+    expect(')');
+    const std::size_t end = at_;
+    for (const Term& term : terms)
+      if (term.name.empty()) fail(std::string("Microfacet lacks its ") + term.key, end - 1, joined(term.names));
+    lobe.model = composeMicrofacet(terms[0].name, terms[1].name, terms[2].name);
+    lobe.parameters.resize(lobe.model->parameters().size());
+    for (const Term& term : terms) {
+      if (term.argumentsAt == 0) continue;
+      at_ = term.argumentsAt;
+      arguments(lobe);
+    }
+    at_ = end;
+  }
+
+  void skipParentheses() {
+    const std::size_t start = at_;
+    int depth = 0;
+    do {
+      if (at_ >= text_.size()) fail("parenthesis not closed", start);
+      if (text_[at_] == '(') ++depth;
+      if (text_[at_] == ')') --depth;
+      ++at_;
+    } while (depth > 0);
   }
 
   void argument(Lobe& lobe) {
@@ -137,12 +206,13 @@ class ExpressionReader {
 
   static std::vector<std::string> modelNames() {
     std::vector<std::string> names;
-    for (const ModelPointer& model : allModels()) names.push_back(model->name());
+    for (const ModelPointer& known : allModels()) names.push_back(known->name());
+    names.emplace_back("Microfacet");
     return names;
   }
-  static std::string parameterNames(const Model& model) {
+  static std::string parameterNames(const Model& owner) {
     std::vector<std::string> names;
-    for (const Parameter& parameter : model.parameters()) names.push_back(parameter.name);
+    for (const Parameter& parameter : owner.parameters()) names.push_back(parameter.name);
     return names.empty() ? "none" : joined(names);
   }
 

@@ -4,10 +4,12 @@
 #include <brdf/formula/Extended.h>
 #include <brdf/formula/GlslPrinter.h>
 #include <brdf/formula/Parser.h>
+#include <brdf/formula/Variables.h>
 #include <brdf/models/FormulaModel.h>
 #include <brdf/models/Library.h>
 #include <brdf/models/XmlRecord.h>
 
+#include <numbers>
 #include <numeric>
 
 namespace brdf {
@@ -60,6 +62,7 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
   isotropic_ = flagAttribute(root, "isotropic", true, where);
   reciprocal_ = flagAttribute(root, "reciprocal", true, where);
   clamp_ = flagAttribute(root, "clamp", false, where);
+  legacyDialect_ = std::string_view(root.attribute("dialect").value()) == "BRDFLab082";
   for (const pugi::xml_node node : root.children("parameter")) {
     Parameter parameter = readParameter(node, where);
     if (!parameter.follows.empty()) parameterIndex(parameter.follows);  // an earlier one, or this throws
@@ -82,13 +85,21 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
     formula::ParseOptions options;
     options.parameters = names;
-    options.functions = &functionTable();
+    options.functions = legacyDialect_ ? &legacyFunctionTable() : &functionTable();
     options.where = where_ + ", equation of " + name_;
 
     const NodeId zero = graph.constant(0);
     const NodeId above = graph.make(Op::And, graph.make(Op::Less, zero, graph.input(Input::Uz)),
                                     graph.make(Op::Less, zero, graph.input(Input::Vz)));
+    if (legacyDialect_)
+      for (const char* name : {"phi_i", "phi_o"}) {  // (0, 2 pi] there
+        const NodeId phi = *formula::makeVariable(graph, name);
+        const NodeId turn = graph.add(phi, graph.constant(2 * std::numbers::pi));
+        options.bindings[name] = graph.select(graph.make(Op::Less, zero, phi), phi, turn);
+      }
     NodeId raw = formula::parse(graph, equation_, options).value;
+    options.bindings.clear();
+    options.functions = &functionTable();
     if (clamp_) raw = graph.make(Op::Max, raw, zero);
     made->value = graph.select(above, raw, zero);
     std::vector<std::uint32_t> all(parameters_.size());

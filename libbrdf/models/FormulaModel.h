@@ -12,7 +12,8 @@ namespace brdf {
 
 /// A Model made from one XML record (models/lobes/*.xml):
 ///
-///   <model name="" title="" isotropic="yes|no" reciprocal="yes|no" clamp="yes|no">
+///   <model name="" title="" isotropic="yes|no" reciprocal="yes|no" clamp="yes|no"
+///          [dialect="BRDFLab082"]>
 ///     <description/>
 ///     <parameter name="" default="" min="" max="" [label symbol unit softMin softMax scale="linear|log" follows]/>...
 ///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test
@@ -20,7 +21,7 @@ namespace brdf {
 ///     <reference .../>...
 ///   </model>
 ///
-/// clamp="yes" replaces negative values by 0. The formula is compiled at first use; formula errors appear then, or at
+/// clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use; formula errors appear then, or at
 /// once through `compile`.
 class BRDF_EXPORT FormulaModel final : public Model {
  public:
@@ -54,7 +55,7 @@ class BRDF_EXPORT FormulaModel final : public Model {
 
   std::string where_, samplerName_ = "Cosine";
   std::vector<std::string> samplerArguments_;
-  bool clamp_ = false;
+  bool clamp_ = false, legacyDialect_ = false;
   mutable std::once_flag once_;
   mutable std::unique_ptr<Compiled> compiled_;
 };

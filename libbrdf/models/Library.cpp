@@ -63,6 +63,24 @@ const formula::FunctionTable& functionTable() {
   return table;
 }
 
+const formula::FunctionTable& legacyFunctionTable() {
+  static const formula::FunctionTable table = [] {
+    const std::pair<const char*, const char*> bodies[] = {
+        {"log", "ln(x) / ln(10)"},
+        {"log10", "ln(x) / ln(10)"},
+        {"log2", "ln(x) / ln(2)"},
+        {"asinh", "x < 0 ? -log1p(-x + x * x / (1 + sqrt(x * x + 1))) : log1p(x + x * x / (1 + sqrt(x * x + 1)))"},
+        {"acosh", "ln(x + sqrt((x - 1) * (x + 1)))"},
+        {"atanh", "0.5 * log1p(2 * x / (1 - x))"},
+        {"sign", "x < 0 ? -1 : (x > 0 ? 1 : 0)"},
+        {"rint", "floor(x + 0.5)"}};
+    formula::FunctionTable result;
+    for (const auto& [name, body] : bodies) result.emplace(name, formula::Function{name, {"x"}, body, {}});
+    return result;
+  }();
+  return table;
+}
+
 const Sampler& findSampler(std::string_view name, const std::string& where) {
   static const std::vector<Sampler> samplers = readSamplers();
   std::vector<std::string> names;

@@ -30,6 +30,8 @@ struct Sampler {
 /// The functions embedded in the library (models/functions/*.xml).
 BRDF_EXPORT const std::vector<LibraryFunction>& libraryFunctions();
 BRDF_EXPORT const formula::FunctionTable& functionTable();
+/// The functions of muParser 1.30 that ours spell otherwise or lack, for model files of BRDFLab 0.8.2.
+BRDF_EXPORT const formula::FunctionTable& legacyFunctionTable();
 
 /// The sampler called `name` (models/samplers/*.xml); throws Error::Kind::Value with the allowed names.
 BRDF_EXPORT const Sampler& findSampler(std::string_view name, const std::string& where);

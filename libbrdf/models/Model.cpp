@@ -1,30 +1,9 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/formula/GlslPrinter.h>
-#include <brdf/models/FormulaModel.h>
 #include <brdf/models/Model.h>
 
-#include <algorithm>
-
-#include "lobeFiles.h"
-
 namespace brdf {
-namespace {
-
-const std::vector<ModelPointer>& registry() {
-  static const std::vector<ModelPointer> models = [] {
-    std::vector<ModelPointer> result;
-    for (const EmbeddedFile& file : lobeFiles())
-      result.push_back(std::make_shared<FormulaModel>(file.text, std::string(file.name)));
-    std::sort(result.begin(), result.end(),
-              [](const ModelPointer& a, const ModelPointer& b) { return a->name() < b->name(); });
-    return result;
-  }();
-  return models;
-}
-
-}  // namespace
-
 Model::~Model() = default;
 
 std::size_t Model::parameterIndex(std::string_view name) const {
@@ -51,20 +30,5 @@ void Model::checkBounds(std::size_t parameter, double value) const {
 }
 
 std::string Model::glslPrelude() { return formula::glslPrelude(); }
-
-std::vector<ModelPointer> allModels() { return registry(); }
-
-ModelPointer findModel(std::string_view name) {
-  std::vector<std::string> names;
-  for (const ModelPointer& model : registry()) {
-    if (model->name() == name) return model;
-    names.push_back(model->name());
-  }
-  const std::string nearest = closestName(name, names);
-  throw Error(Error::Kind::Value, {"unknown lobe",
-                                   {},
-                                   "'" + std::string(name) + "'",
-                                   joined(names) + (nearest.empty() ? "" : " (did you mean " + nearest + "?)")});
-}
 
 }  // namespace brdf
