@@ -79,7 +79,7 @@ class BRDF_EXPORT ContainerWriter {
   explicit ContainerWriter(std::filesystem::path path, Mode mode = Mode::Replace);
   ~ContainerWriter();
 
-  /// Adds an entry and returns its group, for other modules' parts of it (close it before `commit`). The first table of
+  /// Adds an entry and returns its group, for other modules' parts of it (of no use after `commit`). The first table of
   /// a file becomes the one that VTK shows. Throws Error::Kind::Value for a name that is empty, a number, taken, or has
   /// a '#', and for a BRDF that cannot be kept (see storeBrdf).
   h5::Group add(const std::string& name, const Brdf& brdf, const Provenance& provenance);

@@ -37,6 +37,7 @@ class Group {
   /// Leaves out an empty list.
   void setTexts(const std::string& name, std::span<const std::string> texts) const;
   void setInteger(const std::string& name, std::int64_t value) const;
+  /// Leaves out an empty list.
   void setIntegers(const std::string& name, std::span<const std::int64_t> values) const;
   void setNumber(const std::string& name, double value) const;
   /// Leaves out an empty list.
@@ -90,7 +91,7 @@ class Builder {
   Builder& operator=(const Builder&) = delete;
 
   const Group& root() const { return *root_; }
-  /// Closes the file and hands out its bytes; once. No other Group of the file may be left open.
+  /// Closes the file, and what is open in it, and hands out its bytes; once.
   std::string finish();
 
  private:

@@ -87,8 +87,8 @@ print(*image.GetExtent())
 print(*(x.hex() for x in image.GetOrigin()))
 print(*(x.hex() for x in image.GetSpacing()))
 data = image.GetPointData()
-for i in range(data.GetNumberOfArrays()):
-    array = data.GetArray(i)
+for name in sorted(data.GetArrayName(i) for i in range(data.GetNumberOfArrays())):
+    array = data.GetArray(name)
     print(array.GetName(), *(float(array.GetTuple1(j)).hex() for j in range(array.GetNumberOfTuples())))
 )");
   const auto hex = [](double value) {  // Python's float.hex()
