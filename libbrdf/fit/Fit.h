@@ -43,7 +43,10 @@ struct FitOptions {
   Combination combination = Combination::Shared;
   FitChannels channels;
   double maximumTheta = 90;  ///< degrees; samples with theta_i or theta_o above are left out
-  double tolerance = 1e-8;   ///< relative: stop when a step lowers the squared error by less, or moves less
+  /// Relative: stop when a step lowers the squared error by less than this part and moves no parameter (in its
+  /// logarithm where its scale is one) by more than a hundredth of the square root of this.
+  double tolerance = 1e-8;
+  /// Of each run of the optimizer; methods without derivatives get 20 evaluations for each.
   std::size_t maximumIterations = 200;
   std::size_t starts = 0;  ///< extra random starts (Latin hypercube over the soft bounds)
   std::uint64_t seed = 1;
@@ -74,7 +77,8 @@ struct FitReport {
   std::map<std::string, double> metrics;    ///< by every metric
   std::map<std::string, double> zeroModel;  ///< the same for the model that answers 0
   double seconds = 0;
-  std::size_t evaluations = 0;  ///< passes over the samples
+  /// Evaluations of the error by the optimizer, all starts; on large data the first runs see a subset only.
+  std::size_t evaluations = 0;
   std::size_t iterations = 0;
   std::size_t samples = 0;  ///< samples used
   std::size_t channels = 0;

@@ -59,7 +59,7 @@ FitProblem::FitProblem(const std::vector<LobeRequest>& requests, Symmetry target
       model.checkBounds(follower, lobe.base[follower]);
       leader[follower] = first;
     }
-    if (targetSymmetry == Symmetry::Isotropic)
+    if (targetSymmetry != Symmetry::Anisotropic)
       for (std::size_t p = 0; p < count; ++p) {
         const Parameter& parameter = model.parameters()[p];
         if (parameter.follows.empty() || leader[p] != p || request.fixed.contains(parameter.name)) continue;
@@ -70,7 +70,7 @@ FitProblem::FitProblem(const std::vector<LobeRequest>& requests, Symmetry target
         model.checkBounds(p, lobe.base[p]);
         if (lobe.fixed[first]) lobe.fixed[p] = true;
         notes_.push_back(parameter.name + " of " + model.name() + " is held equal to " +
-                         model.parameters()[first].name + ": the target is isotropic");
+                         model.parameters()[first].name + ": the target does not change when it is turned");
       }
 
     for (std::size_t p = 0; p < count; ++p) {

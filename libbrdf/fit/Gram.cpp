@@ -1,7 +1,5 @@
 #include <brdf/fit/Gram.h>
 
-#include <cstring>
-
 // One source for several instruction sets; the dynamic linker picks.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__linux__)
 #define BRDF_CLONES __attribute__((target_clones("default", "arch=haswell")))

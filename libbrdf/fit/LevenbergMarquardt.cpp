@@ -117,9 +117,9 @@ OptimizerResult levenbergMarquardt(CostFunction& cost, std::vector<double> start
     for (std::size_t i = 0; i < n; ++i) {
       trial[i] = std::clamp(result.x[i] + stepNumbers[i], lower[i], upper[i]);
       const double width = upper[i] - lower[i];
-      const double size1 = std::abs(result.x[i]) + 1e-3 * (std::isfinite(width) ? width : 1.0);
+      const double magnitude = std::abs(result.x[i]) + 1e-3 * (std::isfinite(width) ? width : 1.0);
       largestStep =
-          std::max(largestStep, std::abs(stepNumbers[i]) / std::max(size1, std::numeric_limits<double>::min()));
+          std::max(largestStep, std::abs(stepNumbers[i]) / std::max(magnitude, std::numeric_limits<double>::min()));
     }
     NormalEquations next = cost.normalEquations(trial);
     ++result.evaluations;

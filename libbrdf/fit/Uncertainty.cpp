@@ -27,8 +27,6 @@ bool atBound(double value, double lower, double upper) {
 struct Names {
   const FitProblem& problem;
   const JointCost& cost;
-  std::size_t firstChannel;
-  bool manyChannels;
 
   std::string lobe(std::size_t index) const {
     std::size_t same = 0, before = 0;
@@ -126,7 +124,7 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
   JointCost cost(problem, data, channels);
   const std::vector<double> x = cost.join(shape, scales);
   const NormalEquations equations = cost.normalEquations(x);
-  const Names names{problem, cost, channels.first, channels.count > 1};
+  const Names names{problem, cost};
   const std::string suffix = channel && data.channels > 1 ? " (channel " + std::to_string(*channel) + ")" : "";
 
   std::vector<bool> hasShare(lobes), onBound(x.size()), free(x.size());
@@ -140,7 +138,7 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
     free[k] = !onBound[k] && hasShare[names.lobeOf(k)];
     if (k < shapes && onBound[k] && hasShare[names.lobeOf(k)])
       addNote(report, names.full(k) + " is on its bound" + suffix);
-    // A derivative of 0 everywhere: the parameter does nothing (a Lambertian's albedo beside a scale does not come
+    // A derivative of 0 everywhere.
     // here).
     if (free[k] && !(equations.matrix[k * x.size() + k] > 0))
       addNote(report, names.full(k) + " has no influence on these data" + suffix);

@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/fit/Fit.h>
+#include <brdf/material/TableBrdf.h>
 
 #include <gtest/gtest.h>
 
@@ -110,6 +111,21 @@ TEST(Fit, AnIsotropicTargetKeepsTheRoughnessesAlike) {
   EXPECT_EQ(ax->standardError, ay->standardError);
   EXPECT_TRUE(noted(report, "ay of Ward is held equal to ax"));
   EXPECT_EQ(report.material->symmetry(), Symmetry::Isotropic);
+}
+
+TEST(Fit, ATableThatDoesNotChangeWhenTurnedKeepsThemAlikeToo) {
+  TableLayout layout;
+  layout.thetaH = layout.thetaD = 15;
+  layout.phiD = 24;
+  const auto table =
+      TableBrdf::tabulate(*parseMaterialExpression("0.3*Lambertian + 0.5*GGX(alpha=0.3, ior=1.6)"), layout);
+  const FitReport report = fit(*table, {lobe("Lambertian"), lobe("GGX")}, {});
+  for (const FittedParameter& fitted : report.parameters) {
+    if (fitted.name == "alpha" || fitted.name == "alpha_y") {
+      EXPECT_NEAR(fitted.value, 0.3, 1e-7);
+    }
+  }
+  EXPECT_LT(report.error, 1e-9 * report.zeroModel.at("rms"));
 }
 
 TEST(Fit, CallsAFitWeakThatExplainsLittle) {
