@@ -12,6 +12,12 @@ namespace {
 
 using Wide = boost::multiprecision::cpp_bin_float_50;
 
+/// Poles and overflow give infinity or NaN, as in every other evaluator, instead of an exception.
+namespace policies = boost::math::policies;
+using Quiet =
+    policies::policy<policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
+                     policies::overflow_error<policies::ignore_error>>;
+
 Wide clampToOne(const Wide& a) { return a > 1 ? Wide(1) : a < -1 ? Wide(-1) : a; }
 
 Wide wideLog(const Wide& a) {
@@ -37,11 +43,11 @@ Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
     case Op::Exp:
       return exp(a);
     case Op::Expm1:
-      return abs(a) < 0.5 ? boost::math::expm1(a) : Wide(exp(a) - 1);
+      return abs(a) < 0.5 ? boost::math::expm1(a, Quiet{}) : Wide(exp(a) - 1);
     case Op::Log:
       return wideLog(a);
     case Op::Log1p:
-      return abs(a) < 0.5 ? boost::math::log1p(a) : wideLog(1 + a);
+      return abs(a) < 0.5 ? boost::math::log1p(a, Quiet{}) : wideLog(1 + a);
     case Op::Sin:
       return sin(a);
     case Op::Cos:
@@ -61,13 +67,13 @@ Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
     case Op::Tanh:
       return tanh(a);
     case Op::Erf:
-      return boost::math::erf(a);
+      return boost::math::erf(a, Quiet{});
     case Op::Erfc:
-      return boost::math::erfc(a);
+      return boost::math::erfc(a, Quiet{});
     case Op::Lgamma:
-      return boost::math::lgamma(a);
+      return boost::math::lgamma(a, Quiet{});
     case Op::Digamma:
-      return a > 0 ? boost::math::digamma(a) : std::numeric_limits<Wide>::quiet_NaN();
+      return a > 0 ? boost::math::digamma(a, Quiet{}) : std::numeric_limits<Wide>::quiet_NaN();
     case Op::Floor:
       return floor(a);
     case Op::Not:

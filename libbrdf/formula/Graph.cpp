@@ -9,6 +9,9 @@
 namespace brdf::formula {
 namespace {
 
+/// Overflow gives infinity, as in every other operation, instead of an exception.
+using Quiet = boost::math::policies::policy<boost::math::policies::overflow_error<boost::math::policies::ignore_error>>;
+
 struct OpInfo {
   std::string_view name;
   int arity;
@@ -72,7 +75,7 @@ double applyOp(Op op, double a, double b, double c) {
     case Op::Lgamma:
       return std::lgamma(a);
     case Op::Digamma:
-      return a > 0 ? boost::math::digamma(a) : std::nan("");
+      return a > 0 ? boost::math::digamma(a, Quiet{}) : std::nan("");
     case Op::Floor:
       return std::floor(a);
     case Op::Not:

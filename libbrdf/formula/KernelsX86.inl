@@ -34,7 +34,7 @@ struct Simd;
     using V = VECTOR;                                                                        \
     typedef T Loose __attribute__((vector_size(sizeof(V)), aligned(alignof(T)), may_alias)); \
     static constexpr unsigned width = sizeof(V) / sizeof(T);                                 \
-    static V fill(T x) { return V{} + x; }                                                   \
+    static V fill(T x) { return x - V{}; }                                                   \
     static V load(const T* p) { return (V) * (const Loose*)p; }                              \
     static void store(T* p, V v) { *(Loose*)p = (Loose)v; }                                  \
     static V abs(V a) { return CALL(fabs, )(a); }                                            \

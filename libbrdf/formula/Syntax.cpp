@@ -30,6 +30,7 @@ class Lexer {
     token.position = position_;
     if (at_ >= text_.size()) return token;
     const char c = text_[at_];
+    if (text_.substr(at_, 7) == "U+003C=") return symbol(token, "<=", 7);
     if (text_.substr(at_, 6) == "U+003C") return symbol(token, "<", 6);
     if (isDigit(c) || (c == '.' && at_ + 1 < text_.size() && isDigit(text_[at_ + 1]))) return number(token);
     if (isNameStart(c)) {
