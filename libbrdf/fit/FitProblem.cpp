@@ -69,8 +69,9 @@ FitProblem::FitProblem(const std::vector<LobeRequest>& requests, Symmetry target
         lobe.base[p] = lobe.base[first];
         model.checkBounds(p, lobe.base[p]);
         if (lobe.fixed[first]) lobe.fixed[p] = true;
-        notes_.push_back(parameter.name + " of " + model.name() + " is held equal to " +
-                         model.parameters()[first].name + ": the target does not change when it is turned");
+        std::string note = parameter.name + " of " + model.name() + " is held equal to " +
+                           model.parameters()[first].name + ": the target does not change when it is turned";
+        if (std::ranges::find(notes_, note) == notes_.end()) notes_.push_back(std::move(note));
       }
 
     for (std::size_t p = 0; p < count; ++p) {

@@ -107,7 +107,8 @@ std::vector<double> standardErrors(const Names& names, const NormalEquations& eq
     for (std::size_t j = 0; j < i; ++j) {
       const double correlation = inverse[i * p + j] / std::sqrt(inverse[i * p + i] * inverse[j * p + j]);
       if (!determined[j] || !(std::abs(correlation) > kStrongCorrelation)) continue;
-      if (!named.emplace(names.full(index[i]), names.full(index[j])).second) continue;
+      const std::string one = names.full(index[i]), other = names.full(index[j]);
+      if (one == other || !named.emplace(one, other).second) continue;  // scales of two channels, or said before
       addNote(report, listed(names, {index[j], index[i]}) + " are strongly correlated (" +
                           formatNumber(correlation, 4) + "): neither is well determined by itself" + suffix);
     }
