@@ -52,6 +52,9 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
   const Container::Entry& entry = container.entries()[index];
   loaded.report.metadata["container"] = path.string();
   loaded.report.metadata["entry"] = std::to_string(index) + " (" + entry.name + ")";
+  if (which.empty() && container.entries().size() > 1)
+    loaded.report.warnings.push_back("the container holds " + std::to_string(container.entries().size()) +
+                                     " entries; this is the first (write " + path.string() + "#1 for the next)");
   return loaded;
 }
 

@@ -1,6 +1,5 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
-#include <brdf/geometry/Directions.h>
 #include <brdf/io/StoredBrdf.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/ScatteredBrdf.h>
@@ -59,6 +58,7 @@ void storeLobes(const h5::Group& group, const LobeSum& material) {
     const Lobe& lobe = material.lobes()[i];
     const h5::Group part = lobes.createGroup(std::to_string(i));
     part.setText("Model", lobe.model->name());
+    part.setText("Equation", lobe.model->equation());  // for people; reading goes by the name
     part.setNumbers("Scale", lobe.scale);
     const h5::Group parameters = part.createGroup("Parameters");
     for (std::size_t p = 0; p < lobe.parameters.size(); ++p)
@@ -110,17 +110,17 @@ void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& sh
 
 // ----- tables ------------------------------------------------------------------------------------------------------
 
-const std::array<std::string, 3> kTableAxes = {"phi_d", "theta_d", "sqrt(theta_h / (pi/2))"};
+const std::array<std::string, 3> kTableAxes = {"phi_d", "theta_d", "sqrt(theta_h / 90 deg)"};
 constexpr std::array<std::string_view, 2> kLookups = {"interpolated", "nearest"};
 constexpr std::array<std::string_view, 2> kPositions = {"centre", "node"};
 
-/// The table as a VTKHDF image, a point a cell at the place where its value belongs: x = phi_d, y = theta_d (radians),
-/// z = sqrt(theta_h / (pi/2)). Not as cells: VTK 9.1 asks for one more of them along each axis than there are.
+/// The table as a VTKHDF image, a point a cell at the place where its value belongs: x = phi_d, y = theta_d (degrees),
+/// z = sqrt(theta_h / 90 degrees). Not as cells: VTK 9.1 asks for one more of them along each axis than there are.
 void storeTable(const h5::Group& group, const TableBrdf& table) {
   const TableData& data = table.data();
   const TableLayout& layout = data.layout;
   const std::array<std::size_t, 3> sizes = {layout.phiD, layout.thetaD, layout.thetaH};
-  const std::array<double, 3> spans = {layout.reciprocal ? kPi : 2 * kPi, kPi / 2, 1};
+  const std::array<double, 3> spans = {layout.reciprocal ? 180.0 : 360.0, 90, 1};
   std::array<std::int64_t, 6> extent{};
   std::array<double, 3> origin{}, spacing{};
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -135,7 +135,7 @@ void storeTable(const h5::Group& group, const TableBrdf& table) {
   group.setNumbers("Spacing", spacing);
   group.setNumbers("Direction", std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
   group.setTexts("Axes", kTableAxes);
-  group.setTexts("AxisUnits", std::array<std::string, 3>{"rad", "rad", "1"});
+  group.setTexts("AxisUnits", std::array<std::string, 3>{"deg", "deg", "1"});
   group.setText("Quantity", "BRDF without the cosine, 1/sr");
   group.setInteger("Reciprocal", layout.reciprocal);
   group.setText("Lookup", kLookups[static_cast<std::size_t>(table.lookup())]);

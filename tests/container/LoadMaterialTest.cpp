@@ -54,6 +54,8 @@ TEST(LoadMaterial, OneOfSeveralIsPickedByNumberOrName) {
   EXPECT_NEAR(albedo(loadMaterial(path + "#1")), 0.75, 1e-15);
   EXPECT_NEAR(albedo(loadMaterial(path + "#bright")), 0.75, 1e-15);
   EXPECT_EQ(loadMaterial(path).kind, "container");
+  EXPECT_EQ(loadMaterial(path).report.warnings.size(), 1U) << "says that there are others";
+  EXPECT_EQ(loadMaterial(path + "#0").report.warnings.size(), 0U);
   EXPECT_NE(errorOf([&] { loadMaterial(path + "#2"); }).find("0 (dull), 1 (bright)"), std::string::npos);
 }
 

@@ -100,8 +100,8 @@ for name in sorted(data.GetArrayName(i) for i in range(data.GetNumberOfArrays())
     const auto& data = table.data();
     std::string text = "1\n0 " + std::to_string(data.layout.phiD - 1) + " 0 " + std::to_string(data.layout.thetaD - 1) +
                        " 0 " + std::to_string(data.layout.thetaH - 1) + "\n";
-    const double x = (data.layout.reciprocal ? 1 : 2) * brdf::kPi / static_cast<double>(data.layout.phiD);
-    const double y = brdf::kPi / 2 / static_cast<double>(data.layout.thetaD);
+    const double x = (data.layout.reciprocal ? 180 : 360) / static_cast<double>(data.layout.phiD);
+    const double y = 90 / static_cast<double>(data.layout.thetaD);
     const double z = 1 / static_cast<double>(data.layout.thetaH);
     const double shift = table.position() == brdf::TableBrdf::Position::Node ? 0 : 0.5;
     text += hex(shift * x) + " " + hex(shift * y) + " " + hex(shift * z) + "\n";
