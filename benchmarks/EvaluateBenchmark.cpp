@@ -68,9 +68,8 @@ constexpr T kScale[3] = {T(0.5), T(0.4), T(0.3)};
 
 template <class T>
 void evaluateGgx(benchmark::State& state) {
-  besideScalar<T>(state, "(0.5,0.4,0.3)*GGX(alpha=0.2, ior=1.5)", [](const scalar::Pairs<T>& pairs, T* out) {
-    scalar::ggx<T>(pairs, T(0.2), T(1.5), kScale<T>, out);
-  });
+  besideScalar<T>(state, "(0.5,0.4,0.3)*GGX(alpha=0.2, ior=1.5)",
+                  [](const scalar::Pairs<T>& pairs, T* out) { scalar::ggx<T>(pairs, T(0.2), T(1.5), kScale<T>, out); });
 }
 template <class T>
 void evaluateWard(benchmark::State& state) {
@@ -105,7 +104,7 @@ void evaluateSgd(benchmark::State& state) {
                   });
 }
 
-#define REGISTER(name)                                                                 \
+#define REGISTER(name)                                                                   \
   BENCHMARK(name<float>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7); \
   BENCHMARK(name<double>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7)
 REGISTER(evaluateGgx);

@@ -100,11 +100,11 @@ void sgd(const Pairs<T>& p, const T* parameters, const T* scale, T* out) {
   }
 }
 
-#define INSTANTIATE(T)                                                          \
-  template void ggx(const Pairs<T>&, T, T, const T*, T*);                       \
-  template void ward(const Pairs<T>&, T, T, const T*, T*);                      \
-  template void cookTorrance(const Pairs<T>&, T, T, const T*, T*);              \
-  template void ashikhminShirley(const Pairs<T>&, T, T, T, const T*, T*);       \
+#define INSTANTIATE(T)                                                    \
+  template void ggx(const Pairs<T>&, T, T, const T*, T*);                 \
+  template void ward(const Pairs<T>&, T, T, const T*, T*);                \
+  template void cookTorrance(const Pairs<T>&, T, T, const T*, T*);        \
+  template void ashikhminShirley(const Pairs<T>&, T, T, T, const T*, T*); \
   template void sgd(const Pairs<T>&, const T*, const T*, T*);
 INSTANTIATE(float)
 INSTANTIATE(double)

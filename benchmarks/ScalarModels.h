@@ -12,11 +12,16 @@ struct Pairs {
 };
 
 /// `out` is planar: three channels of `count` values. Parameters as in models/lobes.
-template <class T> void ggx(const Pairs<T>& pairs, T alpha, T ior, const T* scale, T* out);
-template <class T> void ward(const Pairs<T>& pairs, T ax, T ay, const T* scale, T* out);
-template <class T> void cookTorrance(const Pairs<T>& pairs, T m, T ior, const T* scale, T* out);
-template <class T> void ashikhminShirley(const Pairs<T>& pairs, T nu, T nv, T f0, const T* scale, T* out);
+template <class T>
+void ggx(const Pairs<T>& pairs, T alpha, T ior, const T* scale, T* out);
+template <class T>
+void ward(const Pairs<T>& pairs, T ax, T ay, const T* scale, T* out);
+template <class T>
+void cookTorrance(const Pairs<T>& pairs, T m, T ior, const T* scale, T* out);
+template <class T>
+void ashikhminShirley(const Pairs<T>& pairs, T nu, T nv, T f0, const T* scale, T* out);
 /// alpha, p, F0, F1, K, Lambda, c, k, theta0 in that order, one set for each channel.
-template <class T> void sgd(const Pairs<T>& pairs, const T* parameters, const T* scale, T* out);
+template <class T>
+void sgd(const Pairs<T>& pairs, const T* parameters, const T* scale, T* out);
 
 }  // namespace scalar

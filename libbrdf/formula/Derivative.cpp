@@ -79,6 +79,9 @@ NodeId chainRule(Graph& g, NodeId id, const NodeId* d) {
       return g.div(g.sub(g.mul(d[0], b), g.mul(a, d[1])), g.add(g.mul(a, a), g.mul(b, b)));
     case Op::Select:
       return g.select(a, d[1], d[2]);
+    case Op::Table:
+      return g.add(g.mul(d[0], g.lookUp(Op::TableDx, g.table(node.index), a, b)),
+                   g.mul(d[1], g.lookUp(Op::TableDy, g.table(node.index), a, b)));
     case Op::Sum:
       return g.sum(g.boundNode(node.index), a, b, d[2], node.value);
     case Op::Solve: {

@@ -1,4 +1,5 @@
 #include <brdf/formula/Extended.h>
+#include <brdf/formula/Table.h>
 
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/erf.hpp>
@@ -142,6 +143,15 @@ class Evaluator {
           break;
         case Op::Bound:
           break;  // set by its loop
+        case Op::Table:
+          values_[id] = graph_.table(node.index)->at(Table::Part::Value, operand(0), operand(1));
+          break;
+        case Op::TableDx:
+          values_[id] = graph_.table(node.index)->at(Table::Part::Dx, operand(0), operand(1));
+          break;
+        case Op::TableDy:
+          values_[id] = graph_.table(node.index)->at(Table::Part::Dy, operand(0), operand(1));
+          break;
         case Op::Sum:
           values_[id] = sum(node);
           break;

@@ -1,7 +1,9 @@
 #include <brdf/base/Text.h>
 #include <brdf/formula/GlslPrinter.h>
+#include <brdf/formula/Table.h>
 
 #include <cmath>
+#include <map>
 
 #include "glslPreludeFiles.h"
 
@@ -71,6 +73,7 @@ class Printer {
     printScope(0, needed);
     GlslBody body;
     body.statements = std::move(statements_);
+    for (const auto& [table, text] : tables_) body.functions += text;
     for (const NodeId output : outputs) body.outputs.push_back(number(output));
     return body;
   }
@@ -92,6 +95,7 @@ class Printer {
         printSolve(graph_[id], name);
         text_[id] = name;
       } else {
+        if (op >= Op::Table && op <= Op::TableDy) addTable(*graph_.table(graph_[id].index));
         text_[id] = print(id);
         if (uses_[id] > 1 && arity(op) > 0) {
           line((isTruth(op) ? "bool " : "float ") + name + " = " + text_[id] + ";");
@@ -152,6 +156,38 @@ class Printer {
     line("}");
   }
 
+  /// The table as a constant array, with the look-up of formula/Table.h.
+  void addTable(const Table& table) {
+    if (tables_.contains(table.name)) return;
+    const std::string name = "brdf_table_" + table.name, size = std::to_string(table.values.size());
+    std::string text = "#ifndef " + name + "_defined\n#define " + name + "_defined\nconst float " + name + "[" + size +
+                       "] = float[" + size + "](";
+    for (std::size_t k = 0; k < table.values.size(); ++k)
+      text += (k == 0 ? "" : (k % 8 == 0 ? ",\n  " : ", ")) + literal(table.values[k]);
+    text += ");\n";
+    const auto whole = [](std::size_t n) { return std::to_string(n) + ".0"; };
+    const auto position = [&](const char* x, double first, double last, std::size_t count) {
+      const std::string steps = whole(count - 1), v(x);
+      text += "  float f" + v + " = clamp((" + v + " - " + literal(first) + ") * (" + steps + " / (" + literal(last) +
+              " - " + literal(first) + ")), 0.0, " + steps + ");\n  int " + v + "i = min(int(f" + v + "), " +
+              std::to_string(count - 2) + ");\n";
+    };
+    text += "float " + name + "_value(float x, float y) {\n";
+    position("x", table.x0, table.x1, table.nx);
+    const auto row = [&](const std::string& offset) {
+      return "mix(" + name + "[" + offset + "xi], " + name + "[" + offset + "xi + 1], fx - float(xi))";
+    };
+    if (table.ny > 1) {
+      position("y", table.y0, table.y1, table.ny);
+      const std::string stride = std::to_string(table.nx);
+      text += "  return mix(" + row("yi * " + stride + " + ") + ", " + row("(yi + 1) * " + stride + " + ") +
+              ", fy - float(yi));\n}\n#endif\n";
+    } else {
+      text += "  return " + row("") + ";\n}\n#endif\n";
+    }
+    tables_[table.name] = std::move(text);
+  }
+
   std::string number(NodeId id) const { return isTruth(graph_[id].op) ? "float(" + text_[id] + ")" : text_[id]; }
   std::string truth(NodeId id) const { return isTruth(graph_[id].op) ? text_[id] : "(" + text_[id] + " != 0.0)"; }
 
@@ -190,6 +226,8 @@ class Printer {
         return "(" + truth(a) + " || " + truth(b) + ")";
       case Op::Select:
         return "(" + truth(a) + " ? " + number(b) + " : " + number(c) + ")";
+      case Op::Table:
+        return "brdf_table_" + graph_.table(node.index)->name + "_value(" + number(a) + ", " + number(b) + ")";
       default: {
         std::string call = functionName(node.op) + "(" + number(a);
         if (arity(node.op) > 1) call += ", " + number(b);
@@ -204,6 +242,7 @@ class Printer {
   std::vector<int> uses_;
   std::vector<std::string> text_;
   std::string statements_;
+  std::map<std::string, std::string> tables_;
   std::size_t depth_ = 1;
 };
 

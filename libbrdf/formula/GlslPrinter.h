@@ -15,6 +15,7 @@ struct GlslNames {
 };
 
 struct GlslBody {
+  std::string functions;             ///< look-ups of the tables used, guarded against being defined twice; go before
   std::string statements;            ///< declarations of the intermediate values, one a line, indented by two blanks
   std::vector<std::string> outputs;  ///< a float expression for each output, valid after the statements
 };

@@ -1,4 +1,5 @@
 #include <brdf/formula/Graph.h>
+#include <brdf/formula/Table.h>
 
 #include <algorithm>
 #include <array>
@@ -18,13 +19,13 @@ struct OpInfo {
 };
 
 constexpr std::array<OpInfo, static_cast<std::size_t>(Op::Count)> kOps{{
-    {"constant", 0}, {"input", 0},   {"parameter", 0}, {"-", 1},      {"abs", 1},   {"sqrt", 1}, {"exp", 1},
-    {"expm1", 1},    {"log", 1},     {"log1p", 1},     {"sin", 1},    {"cos", 1},   {"tan", 1},  {"asin", 1},
-    {"acos", 1},     {"atan", 1},    {"sinh", 1},      {"cosh", 1},   {"tanh", 1},  {"erf", 1},  {"erfc", 1},
-    {"lgamma", 1},   {"digamma", 1}, {"floor", 1},     {"!", 1},      {"+", 2},     {"-", 2},    {"*", 2},
-    {"/", 2},        {"pow", 2},     {"min", 2},       {"max", 2},    {"atan2", 2}, {"<", 2},    {"<=", 2},
-    {"==", 2},       {"&&", 2},      {"||", 2},        {"select", 3}, {"bound", 0}, {"sum", 3},  {"solve", 4},
-    {"muladd", 3},   {"mulsub", 3},  {"negmuladd", 3}, {"copy", 1},
+    {"constant", 0}, {"input", 0},   {"parameter", 0}, {"-", 1},      {"abs", 1},    {"sqrt", 1},      {"exp", 1},
+    {"expm1", 1},    {"log", 1},     {"log1p", 1},     {"sin", 1},    {"cos", 1},    {"tan", 1},       {"asin", 1},
+    {"acos", 1},     {"atan", 1},    {"sinh", 1},      {"cosh", 1},   {"tanh", 1},   {"erf", 1},       {"erfc", 1},
+    {"lgamma", 1},   {"digamma", 1}, {"floor", 1},     {"!", 1},      {"+", 2},      {"-", 2},         {"*", 2},
+    {"/", 2},        {"pow", 2},     {"min", 2},       {"max", 2},    {"atan2", 2},  {"<", 2},         {"<=", 2},
+    {"==", 2},       {"&&", 2},      {"||", 2},        {"select", 3}, {"bound", 0},  {"sum", 3},       {"solve", 4},
+    {"table", 2},    {"tableDx", 2}, {"tableDy", 2},   {"muladd", 3}, {"mulsub", 3}, {"negmuladd", 3}, {"copy", 1},
 }};
 
 bool commutative(Op op) { return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or; }
@@ -191,6 +192,17 @@ NodeId Graph::solve(NodeId variable, NodeId low, NodeId high, NodeId f, NodeId s
   return intern(node);
 }
 
+NodeId Graph::lookUp(Op op, const std::shared_ptr<const Table>& table, NodeId x, NodeId y) {
+  auto it = std::find(tables_.begin(), tables_.end(), table);
+  if (it == tables_.end()) it = tables_.insert(it, table);
+  Node node;
+  node.op = op;
+  node.operands[0] = x;
+  node.operands[1] = table->ny > 1 ? y : constant(0);
+  node.index = static_cast<std::uint32_t>(it - tables_.begin());
+  return intern(node);
+}
+
 NodeId Graph::substitute(NodeId root, NodeId from, NodeId to) {
   const std::vector<bool> needed = reachable({root});
   std::vector<NodeId> image(root + 1);
@@ -204,8 +216,8 @@ NodeId Graph::substitute(NodeId root, NodeId from, NodeId to) {
       node.operands[k] = image[node.operands[k]];
     }
     if (!changed) continue;
-    const bool binds = node.op == Op::Sum || node.op == Op::Solve;
-    image[id] = binds ? intern(node) : make(node.op, node.operands[0], node.operands[1], node.operands[2]);
+    const bool indexed = node.op >= Op::Sum && node.op <= Op::TableDy;
+    image[id] = indexed ? intern(node) : make(node.op, node.operands[0], node.operands[1], node.operands[2]);
   }
   return image[root];
 }

@@ -2,6 +2,7 @@
 #include <brdf/brdf_export.h>
 
 #include <cstdint>
+#include <memory>
 #include <string_view>
 #include <unordered_map>
 #include <vector>
@@ -58,6 +59,9 @@ enum class Op : std::uint8_t {
   Bound,   // leaf: the variable that a Sum or Solve binds, which `index` names
   Sum,     // first, last, term: sum of term over Bound = first, first + 1, ... <= last; `value` is the tail tolerance
   Solve,   // low, high, f, df/dx: the root x = Bound of f between low and high
+  Table,   // x, y: the table that `index` names
+  TableDx,
+  TableDy,  // its slopes
   MulAdd,
   MulSub,
   NegMulAdd,
@@ -69,6 +73,7 @@ enum class Op : std::uint8_t {
 enum class Input : std::uint8_t { Ux, Uy, Uz, Vx, Vy, Vz, Random1, Random2, Count };
 
 using NodeId = std::uint32_t;
+struct Table;
 
 inline constexpr int kMaximumTerms = 2000;      ///< of a Sum
 inline constexpr int kMaximumIterations = 100;  ///< of a Solve
@@ -76,8 +81,9 @@ inline constexpr int kMaximumIterations = 100;  ///< of a Solve
 struct Node {
   Op op = Op::Constant;
   NodeId operands[4] = {0, 0, 0, 0};
-  std::uint32_t index = 0;  ///< Input: which input; Parameter: which one; Bound, Sum, Solve: the variable bound
-  double value = 0;         ///< Constant: its value; Sum: tail tolerance
+  std::uint32_t index =
+      0;             ///< Input: which input; Parameter: which one; Bound, Sum, Solve: the variable bound; Table: which
+  double value = 0;  ///< Constant: its value; Sum: tail tolerance
 };
 
 /// Number of operands of an operation.
@@ -104,6 +110,9 @@ class BRDF_EXPORT Graph {
   NodeId sum(NodeId variable, NodeId first, NodeId last, NodeId term, double tolerance);
   /// `slope` is the derivative of `f` with respect to `variable`.
   NodeId solve(NodeId variable, NodeId low, NodeId high, NodeId f, NodeId slope);
+  /// A look-up: op is Table, TableDx or TableDy; y is left aside by a table of one variable.
+  NodeId lookUp(Op op, const std::shared_ptr<const Table>& table, NodeId x, NodeId y);
+  const std::shared_ptr<const Table>& table(std::uint32_t index) const { return tables_[index]; }
   /// `root` with every use of the node `from` replaced by `to`.
   NodeId substitute(NodeId root, NodeId from, NodeId to);
 
@@ -139,6 +148,7 @@ class BRDF_EXPORT Graph {
 
   std::vector<Node> nodes_;
   std::uint32_t boundCount_ = 0;
+  std::vector<std::shared_ptr<const Table>> tables_;
   std::unordered_map<Node, NodeId, Hash, Equal> ids_;
 };
 

@@ -2,6 +2,7 @@
 #include <brdf/formula/Derivative.h>
 #include <brdf/formula/Parser.h>
 #include <brdf/formula/Syntax.h>
+#include <brdf/formula/Table.h>
 #include <brdf/formula/Variables.h>
 
 #include <algorithm>
@@ -129,6 +130,11 @@ class Lowering {
     if (options_.functions != nullptr)
       if (const auto it = options_.functions->find(e.name); it != options_.functions->end())
         return libraryCall(e, it->second, arguments);
+    if (options_.tables != nullptr)
+      if (const auto it = options_.tables->find(e.name); it != options_.tables->end()) {
+        checkCount(e, it->second->ny > 1 ? 2 : 1);
+        return graph_.lookUp(Op::Table, it->second, arguments[0], arguments.back());
+      }
     return builtinCall(e, arguments);
   }
 

@@ -3,6 +3,7 @@
 #include <brdf/formula/Graph.h>
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,9 +21,12 @@ struct Function {
 
 using FunctionTable = std::map<std::string, Function, std::less<>>;
 
+using TableMap = std::map<std::string, std::shared_ptr<const Table>, std::less<>>;
+
 struct ParseOptions {
   std::span<const std::string> parameters;   ///< Parameter node k is called parameters[k]
   const FunctionTable* functions = nullptr;  ///< functions that the formula may call besides the built-in ones
+  const TableMap* tables = nullptr;          ///< precomputed functions that it may call by name, name(x) or name(x, y)
   std::string where;                         ///< for messages, e.g. "equation of GGX"
   std::map<std::string, NodeId, std::less<>> bindings;  ///< further names, already nodes of the graph
 };
@@ -41,7 +45,8 @@ struct ParseResult {
 ///     expression               the last statement is the formula's value (an assignment's value counts)
 ///   expression: numbers, names (formula/Variables.h, the parameters), + - * / ^ (right-associative, binds tighter than
 ///     the minus before it: -x^2 = -(x^2)), < <= > >= == !=, && || !, c ? a : b, calls
-///   functions: select(condition, then, else), also spelled if, min and max of one or more, pow, atan2, hypot, sqr, and every function
+///   functions: select(condition, then, else), also spelled if, min and max of one or more, pow, atan2, hypot, sqr, and
+///   every function
 ///     of one number in formula/Graph.h
 ///   sum(k, first, last, term [, tolerance]): the terms for k = first, first + 1, ... up to last; ends early when two
 ///     terms running shrink below tolerance times the sum (formula/Graph.h)

@@ -3,6 +3,7 @@
 #include <brdf/formula/Kernels.h>
 #include <brdf/formula/Loops.h>
 #include <brdf/formula/Program.h>
+#include <brdf/formula/Table.h>
 
 #include <algorithm>
 #include <cstring>
@@ -33,6 +34,10 @@ const KernelTable<T>& currentKernels() {
     return *currentSet()->floats;
   else
     return *currentSet()->doubles;
+}
+
+Table::Part partOf(Op op) {
+  return op == Op::Table ? Table::Part::Value : op == Op::TableDx ? Table::Part::Dx : Table::Part::Dy;
 }
 
 /// Scratch memory of the calling thread, aligned to 64 bytes, kept between runs.
@@ -89,6 +94,8 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
         exact[k] = step.value;
       else if (step.op == Op::Parameter)
         exact[k] = parameters[step.operands[0]];
+      else if (step.op >= Op::Table && step.op <= Op::TableDy)
+        exact[k] = tables_[step.operands[2]]->at(partOf(step.op), exact[step.operands[0]], exact[step.operands[1]]);
       else
         exact[k] = applyOp(step.op, exact[step.operands[0]], exact[step.operands[1]], exact[step.operands[2]]);
     }
@@ -98,7 +105,10 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
 
   // Instructions with their pointers: what streams moves by the block's offset, registers and uniforms stay.
   struct Resolved {
-    Kernel<T> kernel;  // null: a loop's begin or end
+    Kernel<T> kernel;    // null: a table, or a loop's begin or end
+    const Table* table;  // null: a loop's begin or end
+    Table::Part part;
+    unsigned mask;
     T* target;
     const T* operands[3];
     std::size_t targetStride, strides[3];
@@ -113,9 +123,10 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
     resolved.clear();
     for (const Instruction& instruction : instructions_) {
       Resolved r{};
-      r.loop = instruction.loop;
+      r.loop = instruction.index;
       r.begins = instruction.kind == Instruction::Kind::LoopBegin;
-      if (instruction.kind != Instruction::Kind::Compute) {
+      const bool isTable = instruction.kind == Instruction::Kind::Table;
+      if (instruction.kind != Instruction::Kind::Compute && !isTable) {
         resolved.push_back(r);
         continue;
       }
@@ -140,6 +151,13 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
       const bool toOutput = instruction.target.place == Place::Output;
       r.target = toOutput ? out[instruction.target.index] : registers + instruction.target.index * lanes;
       r.targetStride = toOutput ? 1 : 0;
+      r.mask = mask;
+      if (isTable) {
+        r.table = tables_[instruction.index].get();
+        r.part = partOf(instruction.op);
+        resolved.push_back(r);
+        continue;
+      }
       r.kernel = table.kernels[static_cast<std::size_t>(instruction.op)][mask];
       resolved.push_back(r);
     }
@@ -177,6 +195,14 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
   const auto runBlock = [&](std::size_t offset) {
     for (std::size_t at = 0; at < resolved.size(); ++at) {
       const Resolved& r = resolved[at];
+      if (r.table != nullptr) {
+        const T* x = r.operands[0] + r.strides[0] * offset;
+        const T* y = r.operands[1] + r.strides[1] * offset;
+        T* target = r.target + r.targetStride * offset;
+        for (std::size_t i = 0; i < lanes; ++i)
+          target[i] = r.table->at(r.part, x[(r.mask & 1) ? 0 : i], y[(r.mask & 2) ? 0 : i]);
+        continue;
+      }
       if (r.kernel == nullptr) {
         if (runLoop(r, offset) && !r.begins) at = loops_[r.loop].begin;
         continue;

@@ -39,12 +39,12 @@ class BRDF_EXPORT Program {
     std::uint32_t index = 0;
   };
   struct Instruction {
-    enum class Kind : std::uint8_t { Compute, LoopBegin, LoopEnd };
+    enum class Kind : std::uint8_t { Compute, Table, LoopBegin, LoopEnd };
     Kind kind = Kind::Compute;
     Op op = Op::Copy;
     Operand target;
     Operand operands[3];
-    std::uint32_t loop = 0;  ///< index into loops_, of LoopBegin and LoopEnd
+    std::uint32_t index = 0;  ///< into loops_ of LoopBegin and LoopEnd, into tables_ of Table
   };
   struct Loop {
     Op op = Op::Sum;          ///< Sum or Solve
@@ -57,7 +57,7 @@ class BRDF_EXPORT Program {
   };
   struct UniformStep {
     Op op = Op::Constant;
-    std::uint32_t operands[3] = {0, 0, 0};  ///< earlier uniforms; Parameter: its index in operands[0]
+    std::uint32_t operands[3] = {0, 0, 0};  ///< earlier uniforms; Parameter: its index in operands[0]; tables: [2]
     double value = 0;
   };
 
@@ -68,6 +68,7 @@ class BRDF_EXPORT Program {
   std::vector<UniformStep> uniforms_;
   std::vector<Instruction> instructions_;
   std::vector<Loop> loops_;
+  std::vector<std::shared_ptr<const Table>> tables_;
   std::size_t registerCount_ = 0;
   std::size_t outputCount_ = 0;
   bool reads_[static_cast<std::size_t>(Input::Count)] = {};

@@ -50,6 +50,14 @@ class ProgramCompiler {
     std::size_t partner = 0;  ///< LoopBegin: position of its LoopEnd
   };
 
+  static bool isTable(Op op) { return op >= Op::Table && op <= Op::TableDy; }
+  /// The table's index in the program.
+  std::uint32_t tableIndex(std::uint32_t inGraph) {
+    const auto& table = graph_.table(inGraph);
+    auto it = std::find(program_.tables_.begin(), program_.tables_.end(), table);
+    if (it == program_.tables_.end()) it = program_.tables_.insert(it, table);
+    return static_cast<std::uint32_t>(it - program_.tables_.begin());
+  }
   static bool binds(Op op) { return op == Op::Sum || op == Op::Solve; }
   const Node& node(std::size_t id) const { return graph_[static_cast<NodeId>(id)]; }
 
@@ -74,6 +82,7 @@ class ProgramCompiler {
       step.value = node(id).value;
       if (step.op == Op::Parameter) step.operands[0] = node(id).index;
       for (int k = 0; k < arity(step.op); ++k) step.operands[k] = places_[node(id).operands[k]].index;
+      if (isTable(step.op)) step.operands[2] = tableIndex(node(id).index);
       places_[id] = {Place::Uniform, static_cast<std::uint32_t>(program_.uniforms_.size())};
       program_.uniforms_.push_back(step);
     }
@@ -222,6 +231,10 @@ class ProgramCompiler {
       if (step.kind == Instruction::Kind::Compute) {
         instruction.op = s.op;
         for (int k = 0; k < s.count; ++k) instruction.operands[k] = operandPlace(s.operands[k]);
+        if (isTable(s.op)) {
+          instruction.kind = Instruction::Kind::Table;
+          instruction.index = tableIndex(node(step.id).index);
+        }
         if (s.op == Op::Div && instruction.operands[1].place == Place::Uniform) {
           instruction.op = Op::Mul;
           instruction.operands[1].index = reciprocal_[s.operands[1]];
@@ -240,14 +253,14 @@ class ProgramCompiler {
         loop.result = newRegister();
         for (Operand& state : loop.state) state = newRegister();
         loop.begin = static_cast<std::uint32_t>(program_.instructions_.size());
-        instruction.loop = static_cast<std::uint32_t>(program_.loops_.size());
-        openLoops_.push_back(instruction.loop);
+        instruction.index = static_cast<std::uint32_t>(program_.loops_.size());
+        openLoops_.push_back(instruction.index);
         openVariables_.push_back(node(step.id).index);
         program_.loops_.push_back(loop);
         releaseAfter(at, step.id);
       } else {
-        instruction.loop = openLoops_.back();
-        Program::Loop& loop = program_.loops_[instruction.loop];
+        instruction.index = openLoops_.back();
+        Program::Loop& loop = program_.loops_[instruction.index];
         loop.body = operandPlace(s.operands[2]);
         loop.slope = s.op == Op::Solve ? operandPlace(s.operands[3]) : loop.body;
         openLoops_.pop_back();

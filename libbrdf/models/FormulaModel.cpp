@@ -61,6 +61,7 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
   if (equation_.empty()) throw Error(Error::Kind::Format, {"missing <equation>", where, {}, {}});
   isotropic_ = flagAttribute(root, "isotropic", true, where);
   reciprocal_ = flagAttribute(root, "reciprocal", true, where);
+  constant_ = flagAttribute(root, "constant", false, where);
   clamp_ = flagAttribute(root, "clamp", false, where);
   legacyDialect_ = std::string_view(root.attribute("dialect").value()) == "BRDFLab082";
   for (const pugi::xml_node node : root.children("parameter")) {
@@ -71,6 +72,7 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
   if (const pugi::xml_node sampler = root.child("sampler")) {
     samplerName_ = requiredAttribute(sampler, "name", where);
     samplerArguments_ = splitArguments(sampler.attribute("arguments").value());
+    cosineShare_ = sampler.attribute("cosine").value();
   }
   references_ = readReferences(root);
 }
@@ -85,6 +87,7 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
     formula::ParseOptions options;
     options.parameters = names;
+    options.tables = &tableMap();
     options.functions = legacyDialect_ ? &legacyFunctionTable() : &functionTable();
     options.where = where_ + ", equation of " + name_;
 
@@ -117,8 +120,23 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
       options.where = where_ + ", sampler of " + name_;
       samplerOptions.bindings[sampler.arguments[k]] = formula::parse(graph, samplerArguments_[k], options).value;
     }
+    NodeId share = zero;  // of draws that are cosine-weighted instead
+    if (!cosineShare_.empty()) share = formula::parse(graph, cosineShare_, options).value;
     samplerOptions.where = "density of sampler " + samplerName_;
-    made->density = graph.select(above, formula::parse(graph, sampler.density, samplerOptions).value, zero);
+    const NodeId own = formula::parse(graph, sampler.density, samplerOptions).value;
+    const auto cosineText = [&](const std::string Sampler::*part, formula::ParseOptions& with) {
+      with.where = "sampler Cosine";
+      return formula::parse(graph, findSampler("Cosine", where_).*part, with);
+    };
+    const NodeId mixed = graph.add(graph.mul(graph.sub(graph.constant(1), share), own),
+                                   graph.mul(share, cosineText(&Sampler::density, options).value));
+    made->density = graph.select(above, mixed, zero);
+    // The first random number chooses and, stretched, serves again.
+    const NodeId random = graph.input(Input::Random1);
+    const NodeId cosine = graph.make(Op::Less, random, share);
+    if (!cosineShare_.empty())
+      samplerOptions.bindings["random1"] = graph.select(
+          cosine, graph.div(random, share), graph.div(graph.sub(random, share), graph.sub(graph.constant(1), share)));
     samplerOptions.where = "draw of sampler " + samplerName_;
     const formula::ParseResult draw = formula::parse(graph, sampler.draw, samplerOptions);
     const auto component = [&](const char* name) {
@@ -127,8 +145,13 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
         throw Error(Error::Kind::Formula, {"missing assignment", samplerOptions.where, {}, name});
       return it->second;
     };
-    const NodeId success = graph.make(Op::Less, zero, component("wz"));
-    for (const char* name : {"wx", "wy", "wz"}) made->draw.push_back(graph.select(success, component(name), zero));
+    std::map<std::string, NodeId, std::less<>> other;
+    if (!cosineShare_.empty()) other = cosineText(&Sampler::draw, samplerOptions).variables;
+    const auto chosen = [&](const char* name) {
+      return cosineShare_.empty() ? component(name) : graph.select(cosine, other.at(name), component(name));
+    };
+    const NodeId success = graph.make(Op::Less, zero, chosen("wz"));
+    for (const char* name : {"wx", "wy", "wz"}) made->draw.push_back(graph.select(success, chosen(name), zero));
 
     made->valueProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->value});
     made->densityProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->density});
@@ -183,7 +206,7 @@ std::string FormulaModel::glsl() const {
   }
   const auto function = [&](const std::string& head, const std::vector<NodeId>& nodes, const char* wrap) {
     const formula::GlslBody body = formula::printGlsl(c.graph, nodes, names);
-    return head + arguments + ") {\n" + body.statements + "  return " + wrap +
+    return body.functions + head + arguments + ") {\n" + body.statements + "  return " + wrap +
            (nodes.size() == 1 ? body.outputs[0] : "(" + joined(body.outputs) + ")") + ";\n}\n\n";
   };
   return function("float brdf_" + name_ + "(vec3 wi, vec3 wo", {c.value}, "") +

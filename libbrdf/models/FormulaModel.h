@@ -12,17 +12,20 @@ namespace brdf {
 
 /// A Model made from one XML record (models/lobes/*.xml):
 ///
-///   <model name="" title="" isotropic="yes|no" reciprocal="yes|no" clamp="yes|no"
+///   <model name="" title="" isotropic="yes|no" reciprocal="yes|no" constant="yes|no" clamp="yes|no"
 ///          [dialect="BRDFLab082"]>
 ///     <description/>
 ///     <parameter name="" default="" min="" max="" [label symbol unit softMin softMax scale="linear|log" follows]/>...
 ///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test
-///     <sampler name="" arguments="expr, ..."/> of models/samplers, arguments in the model's parameters; cosine if none
+///     <sampler name="" arguments="expr, ..." cosine="expr"/> of models/samplers, arguments in the model's parameters
+///     and
+///                                              wo; `cosine`: share of draws, in (0, 1), that are cosine-weighted
+///                                              instead (none); cosine-weighted altogether if there is no <sampler>
 ///     <reference .../>...
 ///   </model>
 ///
-/// clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use; formula errors appear then, or at
-/// once through `compile`.
+/// clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use;
+/// formula errors appear then, or at once through `compile`.
 class BRDF_EXPORT FormulaModel final : public Model {
  public:
   /// Throws Error::Kind::Format when the record breaks the layout above; `where` names the file.
@@ -55,6 +58,7 @@ class BRDF_EXPORT FormulaModel final : public Model {
 
   std::string where_, samplerName_ = "Cosine";
   std::vector<std::string> samplerArguments_;
+  std::string cosineShare_;
   bool clamp_ = false, legacyDialect_ = false;
   mutable std::once_flag once_;
   mutable std::unique_ptr<Compiled> compiled_;

@@ -17,7 +17,8 @@ std::string translateLegacyModel(std::string_view xml, const std::string& where)
   const std::string name = requiredAttribute(root, "name", where);
   model.append_attribute("name") = ("BRDFLab082" + name).c_str();
   model.append_attribute("title") = (name + " as the model file of BRDFLab 0.8.2 has it").c_str();
-  model.append_attribute("isotropic") = std::string_view(root.attribute("type").value()) == "Anisotropic" ? "no" : "yes";
+  model.append_attribute("isotropic") =
+      std::string_view(root.attribute("type").value()) == "Anisotropic" ? "no" : "yes";
   model.append_attribute("reciprocal") = "no";  // nothing in the file promises it
   model.append_attribute("clamp") = "yes";
   model.append_attribute("dialect") = "BRDFLab082";

@@ -1,10 +1,14 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/formula/Table.h>
 #include <brdf/models/Library.h>
 #include <brdf/models/XmlRecord.h>
 
+#include <sstream>
+
 #include "functionFiles.h"
 #include "samplerFiles.h"
+#include "tableFiles.h"
 
 namespace brdf {
 namespace {
@@ -26,6 +30,27 @@ std::vector<LibraryFunction> readFunctions() {
     }
   }
   return functions;
+}
+
+/// <table name="" nx="" ny="" x0="" x1="" y0="" y1="">numbers, x fastest</table>
+std::shared_ptr<const formula::Table> readTable(std::string_view text, const std::string& where) {
+  pugi::xml_document document;
+  const pugi::xml_node node = xmlRoot(document, text, where, "table");
+  auto table = std::make_shared<formula::Table>();
+  table->name = requiredAttribute(node, "name", where);
+  table->nx = static_cast<std::size_t>(numberAttribute(node, "nx", 2, where));
+  table->ny = static_cast<std::size_t>(numberAttribute(node, "ny", 1, where));
+  table->x0 = numberAttribute(node, "x0", 0, where);
+  table->x1 = numberAttribute(node, "x1", 1, where);
+  table->y0 = numberAttribute(node, "y0", 0, where);
+  table->y1 = numberAttribute(node, "y1", 1, where);
+  std::istringstream numbers(node.child_value("values"));
+  for (std::string word; numbers >> word;)
+    if (const auto value = parseNumber(word)) table->values.push_back(*value);
+  if (table->nx < 2 || table->ny < 1 || table->values.size() != table->nx * table->ny)
+    throw Error(Error::Kind::Format, {"wrong number of values", where, std::to_string(table->values.size()),
+                                      std::to_string(table->nx * table->ny)});
+  return table;
 }
 
 std::vector<Sampler> readSamplers() {
@@ -61,6 +86,18 @@ const formula::FunctionTable& functionTable() {
     return result;
   }();
   return table;
+}
+
+const formula::TableMap& tableMap() {
+  static const formula::TableMap tables = [] {
+    formula::TableMap result;
+    for (const EmbeddedFile& file : tableFiles()) {
+      auto table = readTable(file.text, std::string(file.name));
+      result[table->name] = std::move(table);
+    }
+    return result;
+  }();
+  return tables;
 }
 
 const formula::FunctionTable& legacyFunctionTable() {

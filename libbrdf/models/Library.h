@@ -30,6 +30,8 @@ struct Sampler {
 /// The functions embedded in the library (models/functions/*.xml).
 BRDF_EXPORT const std::vector<LibraryFunction>& libraryFunctions();
 BRDF_EXPORT const formula::FunctionTable& functionTable();
+/// Precomputed functions that formulas may call (models/tables/*.xml).
+BRDF_EXPORT const formula::TableMap& tableMap();
 /// The functions of muParser 1.30 that ours spell otherwise or lack, for model files of BRDFLab 0.8.2.
 BRDF_EXPORT const formula::FunctionTable& legacyFunctionTable();
 

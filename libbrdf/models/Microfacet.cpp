@@ -34,7 +34,8 @@ pugi::xml_node findTerm(const char* kind, std::string_view name) {
                                    joined(namesOf(kind))});
 }
 
-std::string compose(const std::string& name, const pugi::xml_node& d, const pugi::xml_node& f, const pugi::xml_node& g) {
+std::string compose(const std::string& name, const pugi::xml_node& d, const pugi::xml_node& f,
+                    const pugi::xml_node& g) {
   pugi::xml_document document;
   pugi::xml_node model = document.append_child("model");
   const auto nameOf = [](const pugi::xml_node& node) { return std::string(node.attribute("name").value()); };
@@ -49,8 +50,8 @@ std::string compose(const std::string& name, const pugi::xml_node& d, const pugi
   model.append_attribute("isotropic") = anisotropic ? "no" : "yes";
   const std::string call = g.attribute("call").value();
   const std::string visibility = call == "smith" ? d.attribute("smith").value() : call;
-  const std::string equation =
-      std::string("(") + d.attribute("call").value() + ") * (" + visibility + ") * (" + f.attribute("call").value() + ")";
+  const std::string equation = std::string("(") + d.attribute("call").value() + ") * (" + visibility + ") * (" +
+                               f.attribute("call").value() + ")";
   model.append_child("equation").text() = equation.c_str();
   pugi::xml_node sampler = model.append_child("sampler");
   sampler.append_attribute("name") = d.attribute("sampler").value();
@@ -78,8 +79,8 @@ ModelPointer composeMicrofacet(std::string_view distribution, std::string_view f
   static std::mutex mutex;
   static std::map<std::string, ModelPointer> made;
   const pugi::xml_node d = findTerm("D", distribution), f = findTerm("F", fresnel), g = findTerm("G", shadowing);
-  const std::string name = std::string(kPrefix) + std::string(distribution) + "_" + std::string(fresnel) + "_" +
-                           std::string(shadowing);
+  const std::string name =
+      std::string(kPrefix) + std::string(distribution) + "_" + std::string(fresnel) + "_" + std::string(shadowing);
   const std::lock_guard lock(mutex);
   ModelPointer& model = made[name];
   if (!model) model = std::make_shared<FormulaModel>(compose(name, d, f, g), name);
@@ -90,8 +91,8 @@ ModelPointer findMicrofacet(std::string_view name) {
   if (name.substr(0, kPrefix.size()) != kPrefix) return nullptr;
   const std::vector<std::string_view> parts = split(name.substr(kPrefix.size()), '_');
   if (parts.size() != 3)
-    throw Error(Error::Kind::Value, {"malformed name of a microfacet model", {}, "'" + std::string(name) + "'",
-                                     "Microfacet_<D>_<F>_<G>"});
+    throw Error(Error::Kind::Value,
+                {"malformed name of a microfacet model", {}, "'" + std::string(name) + "'", "Microfacet_<D>_<F>_<G>"});
   return composeMicrofacet(parts[0], parts[1], parts[2]);
 }
 

@@ -43,7 +43,8 @@ class Registry {
   void add(ModelPointer model) {
     const std::lock_guard lock(mutex_);
     if (builtIn_.find(model->name()) != builtIn_.end() && !replaceable(model->name()))
-      throw Error(Error::Kind::Value, {"a built-in model has this name", {}, "'" + model->name() + "'", "another name"});
+      throw Error(Error::Kind::Value,
+                  {"a built-in model has this name", {}, "'" + model->name() + "'", "another name"});
     builtIn_.erase(model->name());
     added_[model->name()] = std::move(model);
   }
@@ -115,7 +116,9 @@ ModelPointer findModel(std::string_view name) {
   std::vector<std::string> names;
   for (const ModelPointer& model : allModels()) names.push_back(model->name());
   const std::string nearest = closestName(name, names);
-  throw Error(Error::Kind::Value, {"unknown lobe", {}, "'" + std::string(name) + "'",
+  throw Error(Error::Kind::Value, {"unknown lobe",
+                                   {},
+                                   "'" + std::string(name) + "'",
                                    joined(names) + (nearest.empty() ? "" : " (did you mean " + nearest + "?)")});
 }
 

@@ -7,8 +7,8 @@
 
 namespace brdf {
 
-/// Registers a model of the caller's own. Throws Error::Kind::Value when the name is taken by a built-in one; replaces a
-/// model registered before under the same name.
+/// Registers a model of the caller's own. Throws Error::Kind::Value when the name is taken by a built-in one; replaces
+/// a model registered before under the same name.
 BRDF_EXPORT void registerModel(ModelPointer model);
 
 /// Registers every *.xml file of a folder: models in our format (models/FormulaModel.h), and model files of BRDFLab
