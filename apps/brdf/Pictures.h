@@ -1,0 +1,75 @@
+#pragma once
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/// The commands that draw: what they ask of the picture module (brdf_pictures), which links VTK and OpenGL. The program
+/// loads it when a command needs it, because VTK's libraries take longer to load than most commands take to run.
+namespace brdf::app {
+
+struct PictureSize {
+  std::size_t width = 0, height = 0;
+};
+/// "900x700" as a size between 16 and 8192 a side, or throws Error::Kind::Usage.
+PictureSize sizeOption(const std::string& text);
+
+struct LobePicture {
+  std::vector<std::string> materials;
+  double thetaI = 45, phiI = 0;  ///< degrees
+  std::string transform = "none";
+  std::string channel = "luminance";
+  PictureSize size;
+  std::vector<std::string> out;  ///< .png: the picture; .vtp: the mesh of the only material
+};
+
+struct ErrorPicture {
+  std::string a, b;
+  std::string measure = "absolute";
+  std::string axes = "theta_i,theta_o";
+  std::string channel = "luminance";
+  std::size_t resolution = 0;  ///< cells along each axis; 0: chosen by the number of samples
+  PictureSize size;
+  std::vector<std::string> out;  ///< .png: the picture; .vti, .exr: the numbers
+};
+struct ErrorResult {
+  double mean = 0, largest = 0;
+  std::size_t count = 0;
+  std::string label, sampling;
+};
+
+struct Light {
+  enum class Kind { Environment, Directional, Point } kind;
+  std::string file;             ///< of an environment
+  std::vector<double> numbers;  ///< theta, phi in degrees, or x, y, z
+};
+struct RenderPicture {
+  std::string material;
+  std::string object = "sphere";
+  std::vector<Light> lights;
+  std::size_t samples = 64;
+  PictureSize size;
+  double exposure = 0;  ///< stops
+  std::string toneCurve = "clamp";
+  double rotation = 0;           ///< of the environment about the vertical, degrees
+  std::vector<std::string> out;  ///< .png: tone-mapped sRGB; .exr: linear radiance
+};
+struct RenderResult {
+  std::string device;
+  double mean = 0;  ///< radiance averaged over pixels and channels
+};
+
+/// What the module offers; found there under the name `brdfPictures`.
+struct PictureFunctions {
+  void (*lobe)(const LobePicture&);
+  ErrorResult (*error)(const ErrorPicture&);
+  RenderResult (*render)(const RenderPicture&);
+};
+
+/// Loads the module on the first call. Throws Error::Kind::Device when it is not there.
+const PictureFunctions& pictures();
+
+/// Throws Error::Kind::Usage unless `path` ends with one of `extensions`, and as checkWritable does.
+void checkPictureOutputs(const std::vector<std::string>& paths, const std::vector<std::string>& extensions);
+
+}  // namespace brdf::app

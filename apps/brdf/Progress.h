@@ -1,0 +1,33 @@
+#pragma once
+#include "Output.h"
+
+#include <chrono>
+#include <string>
+
+namespace brdf::app {
+
+/// Progress of long work: one line that renews itself on a terminal (standard error), plain lines every two seconds
+/// otherwise (standard output, with the other text). Nothing with --quiet.
+class Progress {
+ public:
+  Progress(const Output& output, std::string title);
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `done` of `total` with a remark; total 0 when it is not known. Cheap to call often; from one thread.
+  void update(std::size_t done, std::size_t total, const std::string& remark = {});
+
+ private:
+  const Output& output_;
+  std::string title_;
+  bool terminal_;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point next_;
+};
+
+/// Ctrl-C asks the running command to stop at its next safe point; a second one ends the process at once.
+void installInterruptHandler();
+bool interrupted();
+
+}  // namespace brdf::app

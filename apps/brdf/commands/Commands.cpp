@@ -1,0 +1,11 @@
+#include "Commands.h"
+
+namespace brdf::app {
+
+std::span<Command> allCommands() {
+  static Command commands[] = {modelsCommand(),  infoCommand(), evalCommand(),  convertCommand(), fitCommand(),
+                               compareCommand(), lobeCommand(), errorCommand(), renderCommand()};
+  return commands;
+}
+
+}  // namespace brdf::app

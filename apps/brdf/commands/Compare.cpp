@@ -1,0 +1,48 @@
+#include "Arguments.h"
+#include "Commands.h"
+#include "FitReportJson.h"
+#include "Output.h"
+
+#include <brdf/fit/Fit.h>
+#include <brdf/io/LoadMaterial.h>
+
+#include <nlohmann/json.hpp>
+
+namespace brdf::app {
+
+Command compareCommand() {
+  struct Values {
+    std::string a, b, channels = "spectral";
+    double maximumTheta = 90;
+  };
+  const auto values = std::make_shared<Values>();
+  return {"compare", "Differences of two materials by every metric",
+          "  brdf compare \"0.3*Lambertian + 0.05*GGX(alpha=0.25, ior=1.5)\" \"0.3*Lambertian + 0.05*GGX(alpha=0.2, "
+          "ior=1.5)\"",
+          [values](Arguments& arguments) {
+            arguments.positional("A", values->a, "A material");
+            arguments.positional("B", values->b, "Another; when measured, A is evaluated at B's own samples");
+            arguments.option("--channels", values->channels, "LIST",
+                             "luminance, rgb, spectral (the data's own) or numbers from 0 as in 0,3,5");
+            arguments.option("--max-theta", values->maximumTheta, {0, 90}, "DEGREES",
+                             "Leave out samples with theta_i or theta_o above");
+          },
+          [values](const Output& output) {
+            const FitChannels channels = channelsOption(values->channels);
+            const BrdfPointer a = selectChannels(loadMaterial(values->a).brdf, channels);
+            const BrdfPointer b = selectChannels(loadMaterial(values->b).brdf, channels);
+            const Comparison result = compare(*a, *b, values->maximumTheta);
+            output.line("A  " + a->description() + "\nB  " + b->description() + "\n\n" +
+                        metricTable(result.metrics, result.zeroModel) + "\n\n  " + std::to_string(result.samples) +
+                        " samples, " + std::to_string(result.channels) + " channels; " + result.sampling);
+            output.report({{"a", a->description()},
+                           {"b", b->description()},
+                           {"metrics", result.metrics},
+                           {"zero_model", result.zeroModel},
+                           {"samples", result.samples},
+                           {"channels", result.channels},
+                           {"sampling", result.sampling}});
+          }};
+}
+
+}  // namespace brdf::app

@@ -1,0 +1,95 @@
+#include "FitReportJson.h"
+
+#include "Output.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace brdf::app {
+
+nlohmann::ordered_json fitReportJson(const FitReport& report) {
+  using Json = nlohmann::ordered_json;
+  Json parameters = Json::array();
+  for (const FittedParameter& p : report.parameters) {
+    Json entry = {{"name", p.name}, {"lobe", p.lobe}, {"lobe_index", p.lobeIndex}};
+    entry["channel"] = p.channel ? Json(*p.channel) : Json();
+    entry["value"] = p.value;
+    entry["std_error"] = p.standardError ? Json(*p.standardError) : Json();
+    entry["min"] = p.minimum;
+    entry["max"] = std::isfinite(p.maximum) ? Json(p.maximum) : Json();
+    entry["at_bound"] = p.atBound;
+    entry["fixed"] = p.fixed;
+    parameters.push_back(std::move(entry));
+  }
+  return {{"material", report.material->description()},
+          {"metric", report.metric},
+          {"error", report.error},
+          {"metrics", report.metrics},
+          {"zero_model", report.zeroModel},
+          {"seconds", report.seconds},
+          {"evaluations", report.evaluations},
+          {"iterations", report.iterations},
+          {"samples", report.samples},
+          {"channels", report.channels},
+          {"converged", report.converged},
+          {"termination", report.termination},
+          {"optimizer", report.optimizer},
+          {"strategy", report.strategy},
+          {"parameters", std::move(parameters)},
+          {"notes", report.notes}};
+}
+
+std::string metricTable(const std::map<std::string, double>& metrics, const std::map<std::string, double>& zeroModel) {
+  TextTable table({"  metric", "error", "zero model", "ratio"});
+  for (const auto& [name, value] : metrics) {
+    const auto zero = zeroModel.find(name);
+    if (zero == zeroModel.end())
+      table.row({"  " + name, number(value), "-", "-"});
+    else
+      table.row({"  " + name, number(value), number(zero->second), formatNumber(value / zero->second, 3)});
+  }
+  return table.text();
+}
+
+std::string fitReportText(const FitReport& report) {
+  std::string text = report.material->description() + "\n\n";
+  TextTable table({"  lobe", "parameter", "channel", "value", "std. error", "bounds", ""});
+  for (const FittedParameter& p : report.parameters)
+    table.row({"  " + p.lobe, p.name, p.channel ? std::to_string(*p.channel) : "all", number(p.value),
+               p.standardError ? formatNumber(*p.standardError, 2) : "-",
+               number(p.minimum) + " to " + number(p.maximum),
+               p.fixed     ? "held"
+               : p.atBound ? "at a bound"
+                           : ""});
+  text += table.text() + "\n\n" + metricTable(report.metrics, report.zeroModel) + "\n\n";
+  text += "  " + std::string(report.converged ? "converged" : "not converged") + ": " + report.termination + "\n  " +
+          std::to_string(report.samples) + " samples, " + std::to_string(report.channels) + " channels, " +
+          report.metric + ", " + report.optimizer + ", " + report.strategy + ", " + std::to_string(report.evaluations) +
+          " passes, " + formatNumber(report.seconds, 3) + " s";
+  for (const std::string& note : report.notes) text += "\n  note: " + note;
+  return text;
+}
+
+FitChannels channelsOption(const std::string& text) {
+  FitChannels channels;
+  if (text == "luminance") {
+    channels.kind = FitChannels::Kind::Luminance;
+  } else if (text == "rgb") {
+    channels.kind = FitChannels::Kind::Rgb;
+  } else if (text != "spectral") {
+    channels.kind = FitChannels::Kind::List;
+    for (const auto piece : split(text, ',')) {
+      const auto index = parseNumber(piece);
+      if (!index || *index < 0 || *index > 1e6 || *index != std::floor(*index))
+        throw Error(Error::Kind::Usage, {"unknown channels", "--channels", "'" + text + "'",
+                                         "luminance, rgb, spectral, or numbers from 0 as in 0,3,5"});
+      channels.list.push_back(static_cast<std::size_t>(*index));
+    }
+  }
+  return channels;
+}
+
+}  // namespace brdf::app

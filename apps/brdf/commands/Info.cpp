@@ -1,0 +1,134 @@
+#include "Arguments.h"
+#include "Commands.h"
+#include "Output.h"
+#include "Quadrature.h"
+
+#include <brdf/base/Text.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/material/SampleSet.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace brdf::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kReciprocityTolerance = 1e-6;  // relative; formulas agree to 1e-12, float tables to 1e-7
+
+std::string channelsText(const Channels& channels) {
+  switch (channels.kind) {
+    case Channels::Kind::Monochrome:
+      return "1, monochrome";
+    case Channels::Kind::Rgb:
+      return "3, linear RGB";
+    default:
+      return std::to_string(channels.count()) + " wavelengths, " + formatNumber(channels.wavelengths.front()) + " to " +
+             formatNumber(channels.wavelengths.back()) + " nm";
+  }
+}
+
+std::string symmetryText(Symmetry symmetry) {
+  switch (symmetry) {
+    case Symmetry::Isotropic:
+      return "isotropic";
+    case Symmetry::Bilateral:
+      return "bilateral";
+    default:
+      return "anisotropic";
+  }
+}
+
+std::string listText(const std::vector<double>& values) {
+  if (values.size() <= 3) {
+    std::vector<std::string> texts;
+    for (const double value : values) texts.push_back(formatNumber(value, 5));
+    return joined(texts);
+  }
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return formatNumber(*low, 5) + " to " + formatNumber(*high, 5) + " over the channels";
+}
+
+Json violationsJson(const Violations& violations) {
+  return {{"tested", violations.tested}, {"violations", violations.count}, {"worst", violations.worst}};
+}
+
+void addReadReport(const ReadReport& report, bool data, TextTable& table, Json& json) {
+  for (const auto& [key, value] : report.metadata) table.row({key, value});
+  json["format"] = report.format;
+  json["source"] = report.source;
+  json["metadata"] = report.metadata;
+  if (!data) return;
+  table.row({"format", report.format});
+  table.row({"samples", std::to_string(report.samples)});
+  table.row({"invalid", std::to_string(report.invalid) + " (below the horizon " + std::to_string(report.belowHorizon) +
+                            "); negative " + std::to_string(report.negative) + ", not finite " +
+                            std::to_string(report.notFinite)});
+  for (const std::string& assumption : report.assumptions) table.row({"assumed", assumption});
+  for (const std::string& warning : report.warnings) table.row({"warning", warning});
+  json["samples"] = report.samples;
+  json["invalid"] = report.invalid;
+  json["below_horizon"] = report.belowHorizon;
+  json["negative"] = report.negative;
+  json["not_finite"] = report.notFinite;
+  json["assumptions"] = report.assumptions;
+  json["warnings"] = report.warnings;
+}
+
+void run(const Output& output, const std::string& material) {
+  const LoadedMaterial loaded = loadMaterial(material);
+  const Brdf& brdf = *loaded.brdf;
+  // Interpolated data cost thousands of times more than a formula, and are not known to four digits.
+  const std::size_t points = brdf.samples() ? 1024 : 8192;
+
+  TextTable table;
+  Json json = {{"material", brdf.description()}, {"kind", loaded.kind}};
+  table.row({"material", brdf.description()});
+  table.row({"kind", loaded.kind});
+  table.row({"channels", channelsText(brdf.channels())});
+  json["channels"] = brdf.channels().count();
+  json["wavelengths_nm"] = brdf.channels().wavelengths;
+  addReadReport(loaded.report, brdf.samples() != nullptr, table, json);
+  table.row({"symmetry", symmetryText(brdf.symmetry())});
+  table.row({"values", "1/sr without the cosine; 0 below the horizon"});
+  json["symmetry"] = symmetryText(brdf.symmetry());
+  json["reciprocal_by_construction"] = brdf.reciprocal();
+
+  json["albedo"] = Json::array();
+  for (const double degreesI : {0.0, 60.0}) {
+    const Albedo albedo = directionalAlbedo(brdf, radians(degreesI), points);
+    const double error = *std::max_element(albedo.error.begin(), albedo.error.end());
+    table.row({"albedo at " + formatNumber(degreesI) + " deg",
+               listText(albedo.value) + "  (standard error " + formatNumber(error, 2) + ")"});
+    json["albedo"].push_back({{"theta_i", degreesI}, {"value", albedo.value}, {"std_error", albedo.error}});
+  }
+  const Violations energy = energyViolations(brdf, points / 8);
+  table.row({"energy", std::to_string(energy.count) + " of " + std::to_string(energy.tested) +
+                           " albedos (0 to 85 deg, each channel) above 1; largest " + formatNumber(energy.worst, 4)});
+  const Violations reciprocity = reciprocityViolations(brdf, 20000, kReciprocityTolerance);
+  table.row({"reciprocity", std::to_string(reciprocity.count) + " of " + std::to_string(reciprocity.tested) +
+                                " pairs differ by more than 1e-6 when light and viewer change places; median " +
+                                formatNumber(reciprocity.median, 3) + ", largest " +
+                                formatNumber(reciprocity.worst, 3) + " (relative)"});
+  json["energy"] = violationsJson(energy);
+  json["reciprocity"] = violationsJson(reciprocity);
+  json["reciprocity"]["median"] = reciprocity.median;
+  output.line(table.text());
+  output.report(json);
+}
+
+}  // namespace
+
+Command infoCommand() {
+  const auto material = std::make_shared<std::string>();
+  return {"info", "What a material is: format, channels, samples, assumptions, albedo, violations",
+          "  brdf info \"0.3*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\"",
+          [material](Arguments& arguments) {
+            arguments.positional("MATERIAL", *material, "A file, an expression or preset:NAME");
+          },
+          [material](const Output& output) { run(output, *material); }};
+}
+
+}  // namespace brdf::app

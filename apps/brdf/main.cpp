@@ -1,0 +1,80 @@
+#include "Arguments.h"
+#include "Progress.h"
+#include "commands/Commands.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+
+#include <cstdio>
+#include <exception>
+
+namespace {
+
+using namespace brdf::app;
+
+constexpr int kSuccess = 0, kNotMet = 1, kWrongUsage = 2;
+
+std::string overview() {
+  std::string text = "BRDFLab " BRDF_VERSION
+                     ": measure, model, fit and render the reflection of materials\n\n"
+                     "Usage: brdf COMMAND [ARGUMENTS]\n\nCommands (brdf COMMAND --help says more):\n";
+  TextTable table;
+  for (const Command& command : allCommands()) table.row({"  " + command.name, command.summary});
+  text += table.text() + "\n\n";
+  text +=
+      "A material is a file in any supported format (file#3 or file#name picks one of several), an expression such as\n"
+      "\"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\", or preset:NAME.\n\n"
+      "Every command takes --json FILE (- for standard output) and --quiet. Angles are in degrees, values in 1/sr\n"
+      "without the cosine. Exit code: 0 success, 1 the request could not be met, 2 wrong usage.\n";
+  return text;
+}
+
+int run(const std::vector<std::string>& words) {
+  std::vector<std::string> names;
+  for (const Command& command : allCommands()) names.push_back(command.name);
+  if (words.empty())
+    throw brdf::Error(brdf::Error::Kind::Usage, {"no command given", "brdf", "", brdf::joined(names) + ", --help"});
+  if (words[0] == "--help" || words[0] == "-h" || words[0] == "help") {
+    std::fputs(overview().c_str(), stdout);
+    return kSuccess;
+  }
+  if (words[0] == "--version") {
+    std::puts("brdf " BRDF_VERSION);
+    return kSuccess;
+  }
+  for (Command& command : allCommands()) {
+    if (command.name != words[0]) continue;
+    Output output;
+    Arguments arguments(command.name, command.summary, command.examples);
+    command.declare(arguments);
+    arguments.option("--json", output.jsonTarget, "FILE", "Write the report as JSON; - for standard output");
+    arguments.flag("--quiet", output.quiet, "Print nothing but errors (and the JSON that was asked for)");
+    if (!arguments.parse({words.begin() + 1, words.end()})) {
+      std::fputs(arguments.help().c_str(), stdout);
+      return kSuccess;
+    }
+    checkWritable(output.jsonTarget);
+    installInterruptHandler();
+    command.run(output);
+    return kSuccess;
+  }
+  const std::string nearest = brdf::closestName(words[0], names);
+  throw brdf::Error(brdf::Error::Kind::Usage, {"unknown command", "brdf", "'" + words[0] + "'",
+                                               brdf::joined(names) + (nearest.empty() ? "" : "; nearest: " + nearest)});
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run({argv + 1, argv + argc});
+  } catch (const brdf::Error& error) {
+    std::fprintf(stderr, "brdf: %s\n", error.what());
+    return error.kind() == brdf::Error::Kind::Usage ? kWrongUsage : kNotMet;
+  } catch (const std::bad_alloc&) {
+    std::fputs("brdf: not enough memory for the request\n", stderr);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "brdf: %s\n", error.what());
+  }
+  return kNotMet;
+}

@@ -1,0 +1,39 @@
+#include "Pictures.h"
+
+#include <vtkBRDF.h>
+#include <vtkBRDFLobe.h>
+#include <vtkBRDFLobeView.h>
+#include <vtkPolyData.h>
+#include <vtkXMLPolyDataWriter.h>
+
+namespace brdf::app {
+
+void drawLobe(const LobePicture& request) {
+  vtkNew<vtkBRDFLobeView> view;
+  vtkSmartPointer<vtkBRDF> first;
+  for (const std::string& material : request.materials) {
+    const auto data = pipelineMaterial(material);
+    if (!first) first = data;
+    view->AddInputData(data, material);
+  }
+  view->SetThetaI(request.thetaI);
+  view->SetPhiI(request.phiI);
+  view->SetTransform(request.transform);
+  view->SetChannel(request.channel);
+  for (const std::string& path : request.out) {
+    if (path.ends_with(".png")) {
+      writeView(view, request.size, path);
+      continue;
+    }
+    vtkNew<vtkBRDFLobe> lobe;
+    lobe->SetInputDataObject(first);
+    lobe->SetThetaI(request.thetaI);
+    lobe->SetPhiI(request.phiI);
+    lobe->SetTransform(request.transform);
+    lobe->SetChannel(request.channel);
+    updateOrThrow(lobe);
+    writeVtk<vtkXMLPolyDataWriter>(lobe->GetOutput(), path);
+  }
+}
+
+}  // namespace brdf::app

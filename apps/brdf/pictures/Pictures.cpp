@@ -1,0 +1,44 @@
+#include "Pictures.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/io/LoadMaterial.h>
+
+#include <vtkBRDF.h>
+#include <vtkBRDFAlgorithm.h>
+#include <vtkBRDFView.h>
+
+#include <cstdlib>
+
+namespace brdf::app {
+namespace {
+
+/// Standard error is for the program's own line: VTK and EGL keep silent, their reasons arrive as errors.
+const bool silenced = [] {
+  vtkObject::GlobalWarningDisplayOff();
+  ::setenv("EGL_LOG_LEVEL", "fatal", 0);
+  return true;
+}();
+
+}  // namespace
+
+vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material) {
+  auto data = vtkSmartPointer<vtkBRDF>::New();
+  data->SetBrdf(loadMaterial(material).brdf);
+  return data;
+}
+
+void updateOrThrow(vtkBRDFAlgorithm* algorithm) {
+  algorithm->Update();
+  if (const std::string reason = algorithm->GetErrorText(); !reason.empty())
+    throw Error(Error::Kind::Value, {reason, "", "", ""});
+}
+
+void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& path) {
+  view->SetSize(static_cast<int>(size.width), static_cast<int>(size.height));
+  if (!view->WritePNG(path)) throw Error(Error::Kind::Device, {view->GetErrorText(), "", "", ""});
+}
+
+}  // namespace brdf::app
+
+extern "C" __attribute__((visibility("default")))
+const brdf::app::PictureFunctions brdfPictures = {brdf::app::drawLobe, brdf::app::drawError, brdf::app::drawRender};

@@ -1,0 +1,41 @@
+#pragma once
+#include "../Pictures.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/base/File.h>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+class vtkBRDF;
+class vtkBRDFAlgorithm;
+class vtkBRDFView;
+
+/// The picture module: a library of its own, loaded by ../Pictures.cpp. One file a command.
+namespace brdf::app {
+
+void drawLobe(const LobePicture& request);
+ErrorResult drawError(const ErrorPicture& request);
+RenderResult drawRender(const RenderPicture& request);
+
+/// A material as a data object of the pipeline. Throws what loadMaterial throws.
+vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material);
+
+/// Updates a filter; throws brdf::Error with its reason when it fails.
+void updateOrThrow(vtkBRDFAlgorithm* algorithm);
+
+/// Writes the view's picture; throws brdf::Error with the view's reason when it cannot be made.
+void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& path);
+
+/// Writes `data` with a writer of VTK's, replacing `path` when it is complete.
+template <class Writer, class Data>
+void writeVtk(Data* data, const std::string& path) {
+  AtomicFile file(path);
+  vtkNew<Writer> writer;
+  writer->SetInputData(data);
+  writer->SetFileName(file.temporaryPath().c_str());
+  if (!writer->Write()) throw Error(Error::Kind::File, {"cannot be written", path, "", ""});
+  file.commit();
+}
+
+}  // namespace brdf::app

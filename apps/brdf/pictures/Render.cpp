@@ -1,0 +1,118 @@
+#include "Pictures.h"
+
+#include <brdf/geometry/Directions.h>
+
+#include <vtkAlgorithmOutput.h>
+#include <vtkBRDF.h>
+#include <vtkBRDFEXRWriter.h>
+#include <vtkBRDFEnvironment.h>
+#include <vtkBRDFRender.h>
+#include <vtkBRDFToneMap.h>
+#include <vtkErrorCode.h>
+#include <vtkImageData.h>
+#include <vtkOBJReader.h>
+#include <vtkPLYReader.h>
+#include <vtkPNGWriter.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataAlgorithm.h>
+#include <vtkSTLReader.h>
+#include <vtkXMLPolyDataReader.h>
+
+#include <filesystem>
+
+namespace brdf::app {
+namespace {
+
+template <class Reader>
+vtkSmartPointer<vtkPolyData> readWith(const std::string& path) {
+  vtkNew<Reader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  if (reader->GetOutput()->GetNumberOfPolys() + reader->GetOutput()->GetNumberOfStrips() == 0)
+    throw Error(Error::Kind::Format, {"no surface in the file", path, "0 polygons", "a mesh: .ply, .obj, .stl, .vtp"});
+  return reader->GetOutput();
+}
+
+/// The object to render; null for the sphere.
+vtkSmartPointer<vtkPolyData> readObject(const std::string& object) {
+  if (object == "sphere") return nullptr;
+  const std::string extension = std::filesystem::path(object).extension().string();
+  if (extension.empty())
+    throw Error(Error::Kind::Value,
+                {"unknown object", "--object", "'" + object + "'", "sphere, or a file: .ply, .obj, .stl, .vtp"});
+  readFileHead(object, 1);  // says what is wrong with a missing or unreadable file
+  if (extension == ".ply") return readWith<vtkPLYReader>(object);
+  if (extension == ".obj") return readWith<vtkOBJReader>(object);
+  if (extension == ".stl") return readWith<vtkSTLReader>(object);
+  if (extension == ".vtp") return readWith<vtkXMLPolyDataReader>(object);
+  throw Error(Error::Kind::Value, {"unknown kind of object", object, extension, ".ply, .obj, .stl, .vtp"});
+}
+
+/// Brightness: a white Lambertian that faces the light, at the origin, has radiance 1.
+void addLight(vtkBRDFRender* render, const Light& light, double rotation) {
+  const auto& at = light.numbers;
+  if (light.kind == Light::Kind::Directional) {
+    render->AddDirectionalLight(at[0], at[1], kPi, kPi, kPi);
+  } else if (light.kind == Light::Kind::Point) {
+    const double intensity = kPi * (at[0] * at[0] + at[1] * at[1] + at[2] * at[2]);
+    render->AddPointLight(at[0], at[1], at[2], intensity, intensity, intensity);
+  } else {
+    vtkNew<vtkBRDFEnvironment> environment;
+    environment->SetRotation(rotation);
+    if (!environment->ReadFile(light.file)) throw Error(Error::Kind::File, {environment->GetErrorText()});
+    render->SetEnvironment(environment);
+  }
+}
+
+void writePng(vtkImageData* radiance, const RenderPicture& request, const std::string& path) {
+  vtkNew<vtkBRDFToneMap> tone;
+  tone->SetInputDataObject(radiance);
+  tone->SetExposure(request.exposure);
+  tone->SetCurve(request.toneCurve == "aces"       ? vtkBRDFToneMap::ACES
+                 : request.toneCurve == "reinhard" ? vtkBRDFToneMap::REINHARD
+                                                   : vtkBRDFToneMap::CLAMP);
+  tone->Update();
+  AtomicFile file(path);
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputConnection(tone->GetOutputPort());
+  writer->SetFileName(file.temporaryPath().c_str());
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+    throw Error(Error::Kind::File,
+                {"cannot be written", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())});
+  file.commit();
+}
+
+void writeExrFile(vtkImageData* radiance, const std::string& path) {
+  vtkNew<vtkBRDFEXRWriter> writer;
+  writer->SetInputDataObject(radiance);
+  writer->SetFileName(path);
+  if (!writer->Write()) throw Error(Error::Kind::File, {writer->GetErrorText()});
+}
+
+double meanOf(vtkImageData* image) {
+  const auto* values = static_cast<const float*>(image->GetScalarPointer());
+  const std::size_t count = static_cast<std::size_t>(image->GetNumberOfPoints()) *
+                            static_cast<std::size_t>(image->GetNumberOfScalarComponents());
+  double sum = 0;
+  for (std::size_t i = 0; i < count; ++i) sum += values[i];
+  return sum / static_cast<double>(count);
+}
+
+}  // namespace
+
+RenderResult drawRender(const RenderPicture& request) {
+  vtkNew<vtkBRDFRender> render;
+  render->SetInputDataObject(0, pipelineMaterial(request.material));
+  if (const auto object = readObject(request.object)) render->SetInputDataObject(1, object);
+  for (const Light& light : request.lights) addLight(render, light, request.rotation);
+  render->SetSize(static_cast<int>(request.size.width), static_cast<int>(request.size.height));
+  render->SetNumberOfSamples(static_cast<int>(request.samples));
+  updateOrThrow(render);
+  vtkImageData* radiance = render->GetOutput();
+  for (const std::string& path : request.out)
+    path.ends_with(".png") ? writePng(radiance, request, path) : writeExrFile(radiance, path);
+  return {render->GetDeviceDescription(), meanOf(radiance)};
+}
+
+}  // namespace brdf::app
