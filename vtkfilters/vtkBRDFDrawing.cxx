@@ -16,6 +16,7 @@
 #include <brdf/base/Text.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace vtkBRDFDrawing
@@ -197,6 +198,28 @@ std::vector<double> LogarithmicTicks(double low, double high)
 std::string NumberText(double value, int digits)
 {
   return brdf::formatNumber(*brdf::parseNumber(brdf::formatNumber(value, digits)));
+}
+
+std::string Rounded(const std::string& text, int digits)
+{
+  std::string rounded;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const bool starts =
+      text[i] >= '0' && text[i] <= '9' && (i == 0 || !(std::isalnum(text[i - 1]) || text[i - 1] == '_'));
+    std::size_t end = i + 1;
+    while (starts && end < text.size() &&
+           (std::isdigit(text[end]) || text[end] == '.' || text[end] == 'e' ||
+            (text[end - 1] == 'e' && (text[end] == '-' || text[end] == '+'))))
+    {
+      ++end;
+    }
+    const std::string piece = text.substr(i, end - i);
+    const auto number = starts ? brdf::parseNumber(piece) : std::nullopt;
+    rounded += number ? NumberText(*number, digits) : piece;
+    i = end;
+  }
+  return rounded;
 }
 
 std::string Shortened(const std::string& text, std::size_t length)

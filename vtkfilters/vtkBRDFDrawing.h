@@ -73,6 +73,8 @@ std::vector<double> LinearTicks(double low, double high, int count);
 std::vector<double> LogarithmicTicks(double low, double high);
 /** A number for people: `digits` significant digits, no locale. */
 std::string NumberText(double value, int digits = 3);
+/** `text` with each of its numbers rounded to `digits` significant digits, for legends. */
+std::string Rounded(const std::string& text, int digits = 4);
 /** `text` cut to `length` characters, with "..." in its middle where something was left out. */
 std::string Shortened(const std::string& text, std::size_t length);
 }

@@ -211,7 +211,7 @@ void vtkBRDFErrorMapView::AddTitles(const Layout& layout, const ColorScale& scal
   vtkRenderer* renderer = this->GetRenderer();
   const double left = layout.Text;
   const auto described = [map](int port)
-  { return vtkBRDF::SafeDownCast(map->GetInputDataObject(port, 0))->GetDescription(); };
+  { return Rounded(vtkBRDF::SafeDownCast(map->GetInputDataObject(port, 0))->GetDescription()); };
   AddText(renderer,
           this->GetTitle().empty() ? "Where A differs from B: " + map->GetQuantity() : this->GetTitle(),
           { left, layout.Height - layout.Text },

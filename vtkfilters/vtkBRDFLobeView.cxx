@@ -322,7 +322,8 @@ void vtkBRDFLobeView::AddCaptions(int width, int height, double length)
     const auto* brdf = vtkBRDF::SafeDownCast(input.Lobe->GetInputDataObject(0, 0));
     const std::string largest = "  (largest " + NumberText(input.Lobe->GetMaximumLength()) + ")";
     AddText(renderer,
-            Shortened(input.Name.empty() ? brdf->GetDescription() : input.Name, letters - largest.size()) + largest,
+            Shortened(input.Name.empty() ? Rounded(brdf->GetDescription()) : input.Name, letters - largest.size()) +
+              largest,
             { 2.6 * text, y },
             { .Size = text });
     const Point low = { 1.0 * text, y - 0.05 * text };

@@ -102,9 +102,9 @@ class Builder {
   }
 
   /// Around the mirror and retro directions edges are a quarter of their distance to them.
-  bool nearPeak(const Direction& middle, double edgeLength) const {
+  bool nearPeak(const Direction& middle, double size) const {
     const double distance = std::min(length(minus(middle, mirror_)), length(minus(middle, wi_)));
-    return edgeLength > 0.25 * distance;
+    return size > 0.25 * distance;
   }
 
   /// Marks the edges to split in this pass; false when there are none, or no room.
@@ -115,12 +115,12 @@ class Builder {
     std::vector<Direction> middles;
     for (std::uint64_t edge : edges()) {
       if (smooth_.count(edge)) continue;
-      const double edgeLength = length(minus(directions_[edgeFirst(edge)], directions_[edgeSecond(edge)]));
-      if (edgeLength < 2 * options_.minimumAngle) continue;
+      const double size = edgeLength(edge);
+      if (size < 2 * options_.smallestPeak) continue;
       const Direction middle = midpoint(edge);
-      if (nearPeak(middle, edgeLength)) {
+      if (nearPeak(middle, size)) {
         marked_.insert(edge);
-      } else {
+      } else if (size >= 2 * options_.smallestBend) {
         candidates.push_back(edge);
         middles.push_back(middle);
       }
@@ -138,18 +138,29 @@ class Builder {
     return !marked_.empty();
   }
 
-  /// Splits the marked edges: a triangle with two marked edges gets its third marked too, so that what is left is one
-  /// edge (two triangles) or three (four triangles). Conforming, since an edge is split for all its triangles.
+  double edgeLength(std::uint64_t edge) const {
+    return length(minus(directions_[edgeFirst(edge)], directions_[edgeSecond(edge)]));
+  }
+
+  /// The triangle turned so that its longest edge comes first.
+  Triangle longestFirst(const Triangle& t) const {
+    int longest = 0;
+    for (int k = 1; k < 3; ++k)
+      if (edgeLength(edgeKey(t[k], t[(k + 1) % 3])) > edgeLength(edgeKey(t[longest], t[(longest + 1) % 3])))
+        longest = k;
+    return {t[longest], t[(longest + 1) % 3], t[(longest + 2) % 3]};
+  }
+
+  /// Splits the marked edges for all their triangles, which keeps the mesh conforming. A triangle with a marked edge is
+  /// bisected at its longest edge first (Rivara 1984, "Algorithms for refining triangular grids suitable for adaptive
+  /// and multigrid techniques"), which keeps its angles from degenerating; with three it becomes four similar ones.
   void split() {
+    for (Triangle& t : triangles_) t = longestFirst(t);
     for (bool changed = true; changed;) {
       changed = false;
-      for (const Triangle& t : triangles_) {
-        int count = 0;
-        for (int k = 0; k < 3; ++k) count += static_cast<int>(marked_.count(edgeKey(t[k], t[(k + 1) % 3])));
-        if (count != 2) continue;
-        for (int k = 0; k < 3; ++k) marked_.insert(edgeKey(t[k], t[(k + 1) % 3]));
-        changed = true;
-      }
+      for (const Triangle& t : triangles_)
+        if (marked_.count(edgeKey(t[1], t[2])) + marked_.count(edgeKey(t[2], t[0])) > 0)
+          changed = marked_.insert(edgeKey(t[0], t[1])).second || changed;
     }
     const std::size_t first = directions_.size();
     std::unordered_map<std::uint64_t, std::uint32_t> middle;
@@ -161,31 +172,33 @@ class Builder {
     }
     std::vector<Triangle> next;
     next.reserve(triangles_.size() * 2);
-    for (const Triangle& t : triangles_) {
-      std::array<std::uint32_t, 3> m{};
-      int count = 0, last = 0;
-      for (int k = 0; k < 3; ++k) {
-        const auto found = middle.find(edgeKey(t[k], t[(k + 1) % 3]));
-        if (found == middle.end()) continue;
-        m[k] = found->second;
-        last = k;
-        ++count;
-      }
-      if (count == 0) {
-        next.push_back(t);
-      } else if (count == 1) {
-        const std::uint32_t a = t[last], b = t[(last + 1) % 3], c = t[(last + 2) % 3];
-        next.push_back({a, m[last], c});
-        next.push_back({m[last], b, c});
+    for (const auto& [a, b, c] : triangles_) {
+      const auto ab = middle.find(edgeKey(a, b)), bc = middle.find(edgeKey(b, c)), ca = middle.find(edgeKey(c, a));
+      const auto none = middle.end();
+      if (ab == none) {
+        next.push_back({a, b, c});
+      } else if (bc != none && ca != none) {
+        next.push_back({a, ab->second, ca->second});
+        next.push_back({ab->second, b, bc->second});
+        next.push_back({ca->second, bc->second, c});
+        next.push_back({ab->second, bc->second, ca->second});
       } else {
-        next.push_back({t[0], m[0], m[2]});
-        next.push_back({m[0], t[1], m[1]});
-        next.push_back({m[2], m[1], t[2]});
-        next.push_back(m);
+        pushBisected(next, ca == none ? nullptr : &ca->second, {c, a, ab->second});
+        pushBisected(next, bc == none ? nullptr : &bc->second, {b, c, ab->second});
       }
     }
     triangles_ = std::move(next);
     if (!radii_.empty()) evaluateFrom(first);
+  }
+
+  /// The triangle, cut in two where the middle of its first edge is given.
+  static void pushBisected(std::vector<Triangle>& triangles, const std::uint32_t* middle, const Triangle& t) {
+    if (middle) {
+      triangles.push_back({t[0], *middle, t[2]});
+      triangles.push_back({*middle, t[1], t[2]});
+    } else {
+      triangles.push_back(t);
+    }
   }
 
   LobeMesh finish() {
@@ -265,7 +278,8 @@ LobeMesh makeLobeMesh(const Brdf& brdf, const LobeMeshOptions& options) {
   require(std::isfinite(options.phiI), "phi_i", degrees(options.phiI), "a finite number of degrees");
   require(options.subdivisions <= 9, "subdivisions", options.subdivisions, "0 to 9");
   require(options.tolerance >= 0, "tolerance", options.tolerance, "0 or more");
-  require(options.minimumAngle > 0, "minimum angle", degrees(options.minimumAngle), "more than 0 degrees");
+  require(options.smallestBend > 0, "smallest bend", degrees(options.smallestBend), "more than 0 degrees");
+  require(options.smallestPeak > 0, "smallest peak", degrees(options.smallestPeak), "more than 0 degrees");
   require(options.weights.empty() || options.weights.size() == brdf.channels().count(), "number of channel weights",
           static_cast<double>(options.weights.size()), "none, or one a channel");
   return Builder(brdf, options).build();

@@ -28,8 +28,11 @@ struct LobeMeshOptions {
   unsigned subdivisions = 5;    ///< of the starting mesh, [0, 9]: edges of 90 degrees / 2^subdivisions
   /// An edge is split while the surface leaves its chord by more than this share of the largest radius; 0 never splits.
   double tolerance = 1e-3;
-  double minimumAngle = radians(0.01);    ///< no edge is split below this length on the unit sphere
-  std::size_t maximumVertices = 400'000;  ///< refinement stops here
+  /// No edge is split for its bend below this length on the unit sphere: a step in the data (measured samples change
+  /// neighbours) would otherwise be followed without end.
+  double smallestBend = radians(0.25);
+  double smallestPeak = radians(0.01);    ///< the same around the mirror and retro directions
+  std::size_t maximumVertices = 200'000;  ///< refinement stops here
 };
 
 /// The lobe of a BRDF for one incident direction: a geodesic hemisphere of view directions, each moved out to the
