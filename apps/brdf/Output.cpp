@@ -57,7 +57,7 @@ std::string TextTable::text() const {
 std::string number(double value) { return formatNumber(value, 6); }
 
 void checkWritable(const std::string& path) {
-  if (!path.empty() && path != "-") AtomicFile probe(path);
+  if (!path.empty() && path != "-" && path != "/dev/null" && path != "/dev/stdout") AtomicFile probe(path);
 }
 
 }  // namespace brdf::app

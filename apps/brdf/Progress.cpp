@@ -1,20 +1,29 @@
 #include "Progress.h"
 
+#include <brdf/base/File.h>
+
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <thread>
 
 namespace brdf::app {
 namespace {
 
-volatile std::sig_atomic_t interruptCount = 0;
+std::atomic<int> askers{0};  // commands that look at interrupted()
+std::atomic<bool> stopWanted{false};
 
-void onInterrupt(int signal) {
-  interruptCount = interruptCount + 1;
-  if (interruptCount > 1) {
-    std::signal(signal, SIG_DFL);
-    std::raise(signal);
+void waitForInterrupts(sigset_t signals) {
+  while (true) {
+    int signal = 0;
+    if (sigwait(&signals, &signal) != 0) return;
+    if (askers > 0 && !stopWanted.exchange(true)) continue;
+    removeTemporaryFiles();
+    std::fputs(isatty(STDERR_FILENO) ? "\nbrdf: interrupted\n" : "brdf: interrupted\n", stderr);
+    std::_Exit(1);
   }
 }
 
@@ -24,9 +33,12 @@ Progress::Progress(const Output& output, std::string title)
     : output_(output),
       title_(std::move(title)),
       terminal_(isatty(STDERR_FILENO) != 0),
-      next_(std::chrono::steady_clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 2000)) {}
+      next_(std::chrono::steady_clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 2000)) {
+  ++askers;
+}
 
 Progress::~Progress() {
+  --askers;
   if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
 }
 
@@ -54,8 +66,15 @@ void Progress::update(std::size_t done, std::size_t total, const std::string& re
     output_.line(text);
 }
 
-void installInterruptHandler() { std::signal(SIGINT, onInterrupt); }
+void handleInterrupts() {
+  sigset_t signals;
+  sigemptyset(&signals);
+  sigaddset(&signals, SIGINT);
+  sigaddset(&signals, SIGTERM);
+  pthread_sigmask(SIG_BLOCK, &signals, nullptr);  // threads made later inherit it: one thread takes the signals
+  std::thread(waitForInterrupts, signals).detach();
+}
 
-bool interrupted() { return interruptCount > 0; }
+bool interrupted() { return stopWanted; }
 
 }  // namespace brdf::app

@@ -26,8 +26,10 @@ class Progress {
   std::chrono::steady_clock::time_point next_;
 };
 
-/// Ctrl-C asks the running command to stop at its next safe point; a second one ends the process at once.
-void installInterruptHandler();
+/// From now on Ctrl-C (or a request to terminate) asks a command that shows Progress to stop at its next safe point and
+/// keep what is done; any other command, or a second Ctrl-C, ends at once with the half-written files removed and exit
+/// code 1. To be called before the process has other threads.
+void handleInterrupts();
 bool interrupted();
 
 }  // namespace brdf::app

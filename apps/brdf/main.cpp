@@ -54,7 +54,7 @@ int run(const std::vector<std::string>& words) {
       return kSuccess;
     }
     checkWritable(output.jsonTarget);
-    installInterruptHandler();
+    handleInterrupts();
     command.run(output);
     return kSuccess;
   }

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <mutex>
+#include <set>
 
 namespace brdf {
 namespace {
@@ -56,6 +58,13 @@ std::string readFileHead(const std::filesystem::path& path, std::size_t count) {
   return readAtMost(path, count, false);
 }
 
+namespace {
+
+std::mutex openMutex;
+std::set<std::filesystem::path> openTemporaries;  // guarded by openMutex
+
+}  // namespace
+
 AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)) {
   if (target_.empty()) fail("output", "no file name given");
   if (std::filesystem::is_directory(target_)) fail(target_, "cannot be written", "a folder", "a file name");
@@ -69,9 +78,13 @@ AtomicFile::AtomicFile(std::filesystem::path target) : target_(std::move(target)
   const int file = ::open(temporary_.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
   if (file < 0) fail(target_, "cannot be written", std::strerror(errno));
   ::close(file);
+  const std::lock_guard lock(openMutex);
+  openTemporaries.insert(temporary_);
 }
 
 AtomicFile::~AtomicFile() {
+  const std::lock_guard lock(openMutex);
+  openTemporaries.erase(temporary_);
   std::error_code ignored;
   if (!committed_) std::filesystem::remove(temporary_, ignored);
 }
@@ -87,6 +100,13 @@ void AtomicFile::commit() {
   std::filesystem::rename(temporary_, target_, code);
   if (code) fail(target_, "cannot be written", code.message());
   committed_ = true;
+}
+
+void removeTemporaryFiles() {
+  const std::lock_guard lock(openMutex);
+  std::error_code ignored;
+  for (const auto& path : openTemporaries) std::filesystem::remove(path, ignored);
+  openTemporaries.clear();
 }
 
 void writeFile(const std::filesystem::path& path, std::string_view bytes) {

@@ -38,6 +38,10 @@ class BRDF_EXPORT AtomicFile {
   bool committed_ = false;
 };
 
+/// Removes the temporary files of all AtomicFiles that are open: for a process that is about to end without unwinding
+/// (Ctrl-C). Not for signal handlers; callable from any thread.
+BRDF_EXPORT void removeTemporaryFiles();
+
 /// Writes `bytes` to `path` through an AtomicFile.
 BRDF_EXPORT void writeFile(const std::filesystem::path& path, std::string_view bytes);
 

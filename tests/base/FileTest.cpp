@@ -36,6 +36,14 @@ TEST(File, ATargetStaysAsItWasUntilCommit) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "the temporary file was left behind";
 }
 
+TEST(File, AProcessThatEndsEarlyCanRemoveItsTemporaryFiles) {
+  const fs::path folder = freshFolder("early");
+  const brdf::AtomicFile file(folder / "a.txt");
+  EXPECT_TRUE(fs::exists(file.temporaryPath()));
+  brdf::removeTemporaryFiles();
+  EXPECT_FALSE(fs::exists(file.temporaryPath()));
+}
+
 TEST(File, ErrorsNameTheFile) {
   EXPECT_THROW(brdf::readFile("/no/such/file"), brdf::Error);
   EXPECT_THROW(brdf::readFile("/"), brdf::Error);

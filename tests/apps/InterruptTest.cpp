@@ -1,0 +1,24 @@
+#include "Program.h"
+
+#include <gtest/gtest.h>
+
+TEST(Interrupt, AFitStopsAndKeepsTheBestSoFar) {
+  const auto folder = scratchFolder();
+  ASSERT_EQ(runBrdf(folder, {"convert", "0.3*Lambertian + 0.05*GGX(alpha=0.25, ior=1.5)", "a.binary"}).exitCode, 0);
+  const Outcome outcome = runLine(folder, "timeout --preserve-status -s INT 2 '" BRDF_PROGRAM
+                                          "' fit a.binary --starts 100000 --out fit.vtkhdf --json fit.json");
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
+  EXPECT_EQ(filesIn(folder), (std::vector<std::string>{"a.binary", "fit.json", "fit.vtkhdf"}));
+  EXPECT_EQ(runBrdf(folder, {"info", "fit.vtkhdf"}).exitCode, 0);
+}
+
+TEST(Interrupt, ACommandThatCannotStopHalfwayEndsAndLeavesNothing) {
+  const auto folder = scratchFolder();
+  const Outcome outcome = runLine(
+      folder, "timeout --preserve-status -s INT 0.1 '" BRDF_PROGRAM "' convert 'SGD + GGX + GGX(alpha=0.1)' a.binary");
+  if (outcome.exitCode == 0) GTEST_SKIP() << "the machine finished within 0.1 s";
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_EQ(outcome.err, "brdf: interrupted\n");
+  EXPECT_TRUE(filesIn(folder).empty());
+}
