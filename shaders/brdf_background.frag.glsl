@@ -1,10 +1,17 @@
 //VTK::System::Dec
 //VTK::Output::Dec
-uniform samplerCube brdfRadianceMap;
-uniform float brdfLevel;  // mip level: 0 sharp
+//BRDF::Map::Dec
+uniform sampler2D brdfRadiancePicture;
+uniform brdfMap brdfRadianceMap;
+uniform float brdfLevel;  // 0 sharp; between two levels both are mixed
 uniform float brdfGain;   // factor on the radiance
 in vec3 ray;
 void main()
 {
-  gl_FragData[0] = vec4(brdfGain * textureLod(brdfRadianceMap, ray, brdfLevel).rgb, 1.0);
+  float norm = abs(ray.x) + abs(ray.y) + abs(ray.z);
+  vec2 position = brdfProject(ray, norm);
+  float level = clamp(brdfLevel, 0.0, brdfRadianceMap.last);
+  vec3 finer = brdfLookUp(brdfRadiancePicture, brdfRadianceMap, position, floor(level));
+  vec3 coarser = brdfLookUp(brdfRadiancePicture, brdfRadianceMap, position, ceil(level));
+  gl_FragData[0] = vec4(brdfGain * mix(finer, coarser, fract(level)), 1.0);
 }

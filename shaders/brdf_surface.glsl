@@ -36,7 +36,8 @@ vec3 brdfReflected(vec3 position, vec3 viewer, vec3 normal, vec3 tangent)
   vec3 wo = viewer * frame;
   vec3 radiance = vec3(0.0);
 #ifdef BRDF_ENVIRONMENT
-  radiance = brdfEnvironment(wo, brdfViewToEnvironment * frame, uvec2(gl_FragCoord.xy));
+  radiance = brdfEnvironment(wo, brdfViewToEnvironment * frame, 
+    uvec2(gl_FragCoord.xy) + uint(brdfSeed) * 65536u);
 #endif
   for (int i = 0; i < brdfLightCount; ++i)
   {

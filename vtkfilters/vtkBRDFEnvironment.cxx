@@ -1,12 +1,8 @@
 #include "vtkBRDFEnvironment.h"
 
-#include "vtkBRDFCompatibility.h"
-#include VTK_BRDF_GL_LOADER_HEADER
-
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
 #include "vtkWeakPointer.h"
@@ -15,7 +11,6 @@
 #include <brdf/io/EnvironmentMap.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <optional>
 
@@ -28,56 +23,31 @@ brdf::Direction Unrotated(const double direction[3], double degrees)
   return brdf::normalized({ c * direction[0] - s * direction[2], direction[1], s * direction[0] + c * direction[2] });
 }
 
-// All levels of a cube map as a float texture, filtered across the edges of faces.
-vtkSmartPointer<vtkTextureObject> Upload(const brdf::CubeMap& map, vtkOpenGLRenderWindow* window)
+// A picture of four floats a texel on the device, read bilinearly.
+vtkSmartPointer<vtkTextureObject> Upload(const float* texels,
+                                         std::size_t width,
+                                         std::size_t height,
+                                         int wrap,
+                                         vtkOpenGLRenderWindow* window)
 {
-  const auto& levels = map.levels();
-  const auto faces = [](const brdf::CubeMap::Level& level)
-  {
-    std::array<void*, 6> pointers{};
-    for (std::size_t face = 0; face < 6; ++face)
-    {
-      pointers[face] = const_cast<float*>(level.face(face)); // VTK's signature; it reads only
-    }
-    return pointers;
-  };
-  vtkNew<vtkTextureObject> texture;
+  auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
-  auto finest = faces(levels[0]);
-  const auto size = static_cast<unsigned int>(levels[0].size);
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapS(wrap);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetWrapR(vtkTextureObject::ClampToEdge);
   texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  texture->SetMinificationFilter(levels.size() > 1 ? vtkTextureObject::LinearMipmapLinear : vtkTextureObject::Linear);
-  texture->SetBaseLevel(0);
-  texture->SetMaxLevel(static_cast<int>(levels.size()) - 1);
-  if (!texture->CreateCubeFromRaw(size, size, 4, VTK_FLOAT, finest.data()))
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  const auto largest = static_cast<std::size_t>(vtkTextureObject::GetMaximumTextureSize(window));
+  // VTK's signature wants a pointer to what is not constant; it reads only.
+  if (std::max(width, height) > largest ||
+      !texture->Create2DFromRaw(
+        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT, const_cast<float*>(texels)))
   {
     throw brdf::Error(brdf::Error::Kind::Device,
-                      { "cannot make a cube map texture", {}, std::to_string(size) + " texels a side", {} });
+                      { "cannot make the texture of an environment map",
+                        {},
+                        std::to_string(width) + " x " + std::to_string(height),
+                        "at most " + std::to_string(largest) + " texels a side" });
   }
-  texture->Activate();
-  for (std::size_t level = 1; level < levels.size(); ++level)
-  {
-    const auto side = static_cast<GLsizei>(levels[level].size);
-    const auto pointers = faces(levels[level]);
-    for (unsigned int face = 0; face < 6; ++face)
-    {
-      glTexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + face,
-                   static_cast<GLint>(level),
-                   GL_RGBA32F,
-                   side,
-                   side,
-                   0,
-                   GL_RGBA,
-                   GL_FLOAT,
-                   pointers[face]);
-    }
-  }
-  texture->SendParameters();
-  texture->Deactivate();
-  window->GetState()->vtkglEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);
   return texture;
 }
 }
@@ -85,15 +55,11 @@ vtkSmartPointer<vtkTextureObject> Upload(const brdf::CubeMap& map, vtkOpenGLRend
 class vtkBRDFEnvironment::Internals
 {
 public:
+  // Takes a map and forgets what was made from the last one.
   void SetMap(brdf::EnvironmentMap map)
   {
     this->Map = std::move(map);
-    this->Reset();
-  }
-  void Reset()
-  {
     this->Radiance.reset();
-    this->Diffuse.reset();
     this->Release();
   }
   void Release()
@@ -102,17 +68,10 @@ public:
     this->DiffuseTexture = nullptr;
     this->Window = nullptr;
   }
-  void UseWindow(vtkOpenGLRenderWindow* window)
-  {
-    if (this->Window != window)
-    {
-      this->Release();
-      this->Window = window;
-    }
-  }
 
   brdf::EnvironmentMap Map = brdf::EnvironmentMap::constant({ 1, 1, 1 });
-  std::optional<brdf::CubeMap> Radiance, Diffuse;
+  std::optional<brdf::OctahedralMap> Radiance;
+  brdf::Image Diffuse;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkTextureObject> RadianceTexture, DiffuseTexture;
 };
@@ -149,13 +108,13 @@ void vtkBRDFEnvironment::SetConstant(double red, double green, double blue)
   this->Modified();
 }
 
-void vtkBRDFEnvironment::SetMaximumFaceSize(int size)
+void vtkBRDFEnvironment::SetMaximumMapSize(int size)
 {
-  size = std::max(1, std::min(size, 4096));
-  if (size != this->MaximumFaceSize)
+  size = std::max(2, std::min(size, 8192));
+  if (size != this->MaximumMapSize)
   {
-    this->MaximumFaceSize = size;
-    this->Data->Reset();
+    this->MaximumMapSize = size;
+    this->Data->SetMap(std::move(this->Data->Map));
     this->Modified();
   }
 }
@@ -170,9 +129,9 @@ int vtkBRDFEnvironment::GetMapHeight() const
   return static_cast<int>(this->Data->Map.height());
 }
 
-int vtkBRDFEnvironment::GetFaceSize() const
+int vtkBRDFEnvironment::GetMapSize() const
 {
-  return static_cast<int>(this->Data->Map.faceSize(static_cast<std::size_t>(this->MaximumFaceSize)));
+  return static_cast<int>(this->Data->Map.mapSize(static_cast<std::size_t>(this->MaximumMapSize)));
 }
 
 void vtkBRDFEnvironment::GetRadiance(const double direction[3], double rgb[3]) const
@@ -192,32 +151,49 @@ const brdf::EnvironmentMap& vtkBRDFEnvironment::GetMap() const
   return this->Data->Map;
 }
 
-vtkTextureObject* vtkBRDFEnvironment::GetRadianceTexture(vtkOpenGLRenderWindow* window)
+void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window)
 {
-  this->Data->UseWindow(window);
-  if (!this->Data->RadianceTexture || !this->Data->RadianceTexture->GetHandle())
+  Internals& data = *this->Data;
+  if (data.Window == window && data.RadianceTexture && data.RadianceTexture->GetHandle())
   {
-    if (!this->Data->Radiance)
-    {
-      this->Data->Radiance = this->Data->Map.radianceCube(static_cast<std::size_t>(this->GetFaceSize()));
-    }
-    this->Data->RadianceTexture = Upload(*this->Data->Radiance, window);
+    return;
   }
-  return this->Data->RadianceTexture;
+  data.Release();
+  if (!data.Radiance)
+  {
+    data.Radiance = data.Map.radianceMap(static_cast<std::size_t>(this->GetMapSize()));
+    data.Diffuse = data.Map.diffuseMap();
+  }
+  const brdf::OctahedralMap& radiance = *data.Radiance;
+  data.RadianceTexture =
+    Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+  data.DiffuseTexture =
+    Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);
+  data.Window = window;
 }
 
-vtkTextureObject* vtkBRDFEnvironment::GetDiffuseTexture(vtkOpenGLRenderWindow* window)
+void vtkBRDFEnvironment::ActivateTextures()
 {
-  this->Data->UseWindow(window);
-  if (!this->Data->DiffuseTexture || !this->Data->DiffuseTexture->GetHandle())
-  {
-    if (!this->Data->Diffuse)
-    {
-      this->Data->Diffuse = this->Data->Map.diffuseCube();
-    }
-    this->Data->DiffuseTexture = Upload(*this->Data->Diffuse, window);
-  }
-  return this->Data->DiffuseTexture;
+  this->Data->RadianceTexture->Activate();
+  this->Data->DiffuseTexture->Activate();
+}
+
+void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
+{
+  const Internals& data = *this->Data;
+  const float texel[2] = { 1.0f / static_cast<float>(data.Radiance->width()),
+                           1.0f / static_cast<float>(data.Radiance->height()) };
+  program->SetUniformi("brdfRadiancePicture", data.RadianceTexture->GetTextureUnit());
+  program->SetUniformf("brdfRadianceMap.size", static_cast<float>(data.Radiance->size()));
+  program->SetUniformf("brdfRadianceMap.last", static_cast<float>(data.Radiance->levels() - 1));
+  program->SetUniform2f("brdfRadianceMap.texel", texel);
+  program->SetUniformi("brdfDiffusePicture", data.DiffuseTexture->GetTextureUnit());
+}
+
+void vtkBRDFEnvironment::DeactivateTextures()
+{
+  this->Data->RadianceTexture->Deactivate();
+  this->Data->DiffuseTexture->Deactivate();
 }
 
 void vtkBRDFEnvironment::ReleaseGraphicsResources(vtkWindow* window)
@@ -233,5 +209,5 @@ void vtkBRDFEnvironment::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Map: " << this->GetMapWidth() << " x " << this->GetMapHeight() << "\n"
      << indent << "Rotation: " << this->Rotation << "\n"
-     << indent << "MaximumFaceSize: " << this->MaximumFaceSize << "\n";
+     << indent << "MaximumMapSize: " << this->MaximumMapSize << "\n";
 }

@@ -7,11 +7,10 @@
 #include <string> // For std::string
 
 class vtkOpenGLRenderWindow;
-class vtkTextureObject;
+class vtkShaderProgram;
 class vtkWindow;
 namespace brdf
 {
-class CubeMap;
 class EnvironmentMap;
 }
 
@@ -19,8 +18,9 @@ class EnvironmentMap;
  * @class vtkBRDFEnvironment
  * @brief Light from far away, ready for vtkBRDFPolyDataMapper
  *
- * Holds an equirectangular map of radiance (linear sRGB) and, made when first asked for, a cube map with mip levels and
- * a cosine-convolved one; their textures belong to the render window that drew last. Orientation: the vertical is world
+ * Holds an equirectangular map of radiance (linear sRGB) and, made when first asked for, an octahedral map with levels
+ * (brdf::OctahedralMap) and the light that a white Lambertian reflects; their textures belong to the render window that
+ * drew last. Orientation: the vertical is world
  * +y, the middle of the picture -z, columns run to the right (+x) as seen from inside (brdf::EnvironmentMap).
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFEnvironment : public vtkObject
@@ -45,10 +45,10 @@ public:
   ///@}
 
   ///@{
-  /** Largest number of texels along a side of a cube face (a power of two at or below is taken); default 1024. A face
-   * of n texels resolves 90 / n degrees and takes 128 n^2 bytes with its mip levels. */
-  void SetMaximumFaceSize(int size);
-  vtkGetMacro(MaximumFaceSize, int);
+  /** Largest number of texels along a side of the octahedral map (a power of two at or below is taken); default 2048.
+   * n texels resolve 260 / n degrees and take 24 n^2 bytes on the device. */
+  void SetMaximumMapSize(int size);
+  vtkGetMacro(MaximumMapSize, int);
   ///@}
 
   ///@{
@@ -62,17 +62,23 @@ public:
   /** Irradiance on a surface whose normal is a world direction, rotation included: exact sum over the map. */
   void GetIrradiance(const double normal[3], double rgb[3]) const;
 
-  /** Texels along a side of the finest level of the radiance cube. */
-  int GetFaceSize() const;
+  /** Texels along a side of the finest level of the octahedral map. */
+  int GetMapSize() const;
 
 #ifndef __VTK_WRAP__
   /** The map itself. */
   const brdf::EnvironmentMap& GetMap() const;
 
+  /** Makes the maps and their textures for a window, whose context is current, where they are missing. Throws
+   * brdf::Error. */
+  void UpdateTextures(vtkOpenGLRenderWindow* window);
+
   ///@{
-  /** Textures for a window, whose context is current. */
-  vtkTextureObject* GetRadianceTexture(vtkOpenGLRenderWindow* window);
-  vtkTextureObject* GetDiffuseTexture(vtkOpenGLRenderWindow* window);
+  /** Binds the textures and gives them to the uniforms of brdf_map.glsl and brdf_environment.glsl, until
+   * DeactivateTextures. */
+  void ActivateTextures();
+  void SetUniforms(vtkShaderProgram* program);
+  void DeactivateTextures();
   ///@}
 #endif
 
@@ -90,6 +96,6 @@ private:
   std::unique_ptr<Internals> Data;
   std::string ErrorText;
   double Rotation = 0;
-  int MaximumFaceSize = 1024;
+  int MaximumMapSize = 2048;
 };
 #endif

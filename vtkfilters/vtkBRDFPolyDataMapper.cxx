@@ -16,7 +16,6 @@
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/material/LobeSum.h>
@@ -31,8 +30,6 @@ public:
   std::shared_ptr<const brdf::Brdf> Brdf;
   std::optional<vtkBRDFShaderText> Shader; // empty where the BRDF cannot be drawn
   vtkTimeStamp StructureTime;              // when the shader's text last changed
-  vtkTextureObject* Radiance = nullptr;    // active ones, while drawing
-  vtkTextureObject* Diffuse = nullptr;
 };
 
 vtkStandardNewMacro(vtkBRDFPolyDataMapper);
@@ -110,26 +107,19 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->UpdateMaterial();
     if (this->Environment)
     {
-      auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
-      this->Material->Radiance = this->Environment->GetRadianceTexture(window);
-      this->Material->Diffuse = this->Environment->GetDiffuseTexture(window);
-      this->Material->Radiance->Activate();
-      this->Material->Diffuse->Activate();
+      this->Environment->UpdateTextures(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+      this->Environment->ActivateTextures();
     }
     this->Superclass::RenderPiece(renderer, actor);
+    if (this->Environment)
+    {
+      this->Environment->DeactivateTextures();
+    }
   }
   catch (const std::exception& error)
   {
     this->ErrorText = error.what();
     vtkErrorMacro(<< this->ErrorText);
-  }
-  for (vtkTextureObject** texture : { &this->Material->Radiance, &this->Material->Diffuse })
-  {
-    if (*texture)
-    {
-      (*texture)->Deactivate();
-      *texture = nullptr;
-    }
   }
 }
 
@@ -251,10 +241,9 @@ void vtkBRDFPolyDataMapper::SetEnvironmentUniforms(vtkShaderProgram* program, vt
     }
   }
   program->SetUniformMatrix3x3("brdfViewToEnvironment", matrix);
-  program->SetUniformf("brdfRadianceMapSize", static_cast<float>(this->Environment->GetFaceSize()));
-  program->SetUniformf("brdfLevelBias", static_cast<float>(this->LevelBias));
-  program->SetUniformi("brdfRadianceMap", this->Material->Radiance->GetTextureUnit());
-  program->SetUniformi("brdfDiffuseMap", this->Material->Diffuse->GetTextureUnit());
+  program->SetUniformf("brdfFilter", static_cast<float>(std::exp2(2 * this->LevelBias)));
+  program->SetUniformi("brdfSeed", this->Seed);
+  this->Environment->SetUniforms(program);
 }
 
 void vtkBRDFPolyDataMapper::SetLights(vtkShaderProgram* program, vtkRenderer* renderer, vtkMatrix4x4* worldToView)
@@ -318,6 +307,7 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Environment: " << this->Environment << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "EncodeForDisplay: " << this->EncodeForDisplay << "\n"
      << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n"

@@ -26,7 +26,7 @@ class vtkShaderProgram;
  * Environment: filtered importance sampling (Colbert and Krivanek, GPU Gems 3, chapter 20). Each lobe l gets a share
  * N_l of NumberOfSamples by its estimated contribution and is summed on its own, L = sum_l 1/N_l sum_k f_l(wi_k)
  * cos(theta_k) / p_l(wi_k) * L_env(wi_k, solid angle 1 / (N_l p_l(wi_k))), with p_l the density of the lobe's own
- * sampler, which also chooses the mip level. It converges to the reflected radiance as N grows; at finite N the filter
+ * sampler, which also chooses the level. It converges to the reflected radiance as N grows; at finite N the filter
  * blurs the light by about a sample's solid angle. A constant lobe takes the cosine-convolved map instead. Points are
  * R2, shifted per pixel.
  *
@@ -66,10 +66,19 @@ public:
   ///@}
 
   ///@{
-  /** Mip levels added to each sample's: 0 takes the mean over exactly the sample's solid angle, 1 (the default) over
-   * four times it, which overlaps neighbouring samples and hides noise for a little more blur. */
+  /** Levels of the map added to each sample's: 0 (the default) takes the mean over the sample's solid angle, to the
+   * nearest level; 1 over four times it. More hides noise and leaks light into dark places: at 64 samples the rms error
+   * of conductors of roughness 0.02 to 0.3 under the shipped maps is least between -1 and 0.5, up to four times that
+   * at 1. */
   vtkSetMacro(LevelBias, double);
   vtkGetMacro(LevelBias, double);
+  ///@}
+
+  ///@{
+  /** Chooses the pattern of the samples' noise; default 0. The mapper does not count as modified: its geometry and
+   * shader stay. */
+  void SetSeed(int seed) { this->Seed = seed; }
+  vtkGetMacro(Seed, int);
   ///@}
 
   ///@{
@@ -122,7 +131,8 @@ private:
   vtkBRDFEnvironment* Environment = nullptr;
   std::string ErrorText;
   int NumberOfSamples = 64;
-  double LevelBias = 1;
+  double LevelBias = 0;
+  int Seed = 0;
   double Exposure = 0;
   bool EncodeForDisplay = false;
   int NumberOfShaderBuilds = 0;

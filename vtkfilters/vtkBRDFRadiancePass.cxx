@@ -32,9 +32,24 @@
 
 vtkStandardNewMacro(vtkBRDFRadiancePass);
 
+namespace
+{
+std::unique_ptr<vtkOpenGLQuadHelper> MakeQuad(vtkOpenGLRenderWindow* window, const char* fragmentFile)
+{
+  const std::string vertex(vtkBRDFShaderText::File("brdf_background.vert.glsl"));
+  std::string fragment(vtkBRDFShaderText::File(fragmentFile));
+  vtkShaderProgram::Substitute(
+    fragment, "//BRDF::Map::Dec", std::string(vtkBRDFShaderText::File("brdf_map.glsl")), false);
+  auto quad = std::make_unique<vtkOpenGLQuadHelper>(window, vertex.c_str(), fragment.c_str(), "");
+  if (!quad->Program)
+  {
+    throw brdf::Error(brdf::Error::Kind::Device, { "a shader does not compile", fragmentFile, {}, {} });
+  }
+  return quad;
+}
+}
+
 vtkBRDFRadiancePass::vtkBRDFRadiancePass()
-  : Drawn(vtkSmartPointer<vtkOpenGLFramebufferObject>::New())
-  , Resolved(vtkSmartPointer<vtkOpenGLFramebufferObject>::New())
 {
   vtkNew<vtkRenderPassCollection> passes;
   passes->AddItem(vtkSmartPointer<vtkLightsPass>::New());
@@ -61,6 +76,7 @@ void vtkBRDFRadiancePass::Render(const vtkRenderState* state)
   }
   catch (const std::exception& error)
   {
+    this->Pixels.clear();
     this->ErrorText = error.what();
   }
   window->GetState()->PopFramebufferBindings();
@@ -71,9 +87,8 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
   vtkRenderer* renderer = state->GetRenderer();
   auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
   vtkOpenGLState* gl = window->GetState();
-  GLint largest = 0, mostSamples = 0;
+  GLint largest = 0;
   glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &largest);
-  glGetIntegerv(GL_MAX_SAMPLES, &mostSamples);
   const int width = this->Size[0], height = this->Size[1];
   if (std::max(width, height) > largest)
   {
@@ -85,72 +100,181 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
   }
   vtkOpenGLState::ScopedglViewport savedViewport(gl);
   vtkOpenGLState::ScopedglScissor savedScissor(gl);
-  const int samples = std::min(this->MultiSamples, static_cast<int>(mostSamples));
-  this->Drawn->SetContext(window);
-  this->Resolved->SetContext(window);
-  // Textures where there is one sample, renderbuffers where there are more.
-  if (!this->Drawn->PopulateFramebuffer(width, height, samples == 0, 1, VTK_FLOAT, true, 32, samples) ||
-      (samples > 0 && !this->Resolved->PopulateFramebuffer(width, height, true, 1, VTK_FLOAT, false, 0, 0)))
+  this->Buffer->SetContext(window);
+  if (!this->Buffer->PopulateFramebuffer(width, height, true, 1, VTK_FLOAT, true, 32, 0))
   {
     throw brdf::Error(brdf::Error::Kind::Device,
                       { "OpenGL device without a framebuffer of 32-bit floats", {}, {}, {} });
   }
-  this->Drawn->Bind();
-  this->Drawn->StartNonOrtho(width, height);
+  this->DrawFrame(state, 0, this->Pixels);
+  if (this->EdgeSamples > 1)
+  {
+    const std::vector<float> mask = this->FindEdges(renderer, window);
+    if (std::find(mask.begin(), mask.end(), 1.0f) != mask.end())
+    {
+      this->DrawEdges(state, mask);
+    }
+  }
+  gl->vtkglEnable(GL_BLEND);
+}
+
+// Draws the scene; where the renderer preserves its depth buffer, only into what is open in it.
+void vtkBRDFRadiancePass::DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels)
+{
+  const int width = this->Size[0], height = this->Size[1];
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkOpenGLState* gl = window->GetState();
+  if (this->BeforeFrame)
+  {
+    this->BeforeFrame(frame);
+  }
+  this->Buffer->Bind();
+  this->Buffer->StartNonOrtho(width, height);
   gl->vtkglViewport(0, 0, width, height);
   gl->vtkglScissor(0, 0, width, height);
   gl->vtkglEnable(GL_DEPTH_TEST);
   gl->vtkglDisable(GL_BLEND);
-  if (samples > 0)
-  {
-    gl->vtkglEnable(GL_MULTISAMPLE);
-  }
+  gl->vtkglDepthFunc(GL_LEQUAL);
   vtkRenderState drawing(renderer);
   drawing.SetPropArrayAndCount(state->GetPropArray(), state->GetPropArrayCount());
-  drawing.SetFrameBuffer(this->Drawn);
+  drawing.SetFrameBuffer(this->Buffer);
   this->Opaque->Render(&drawing);
   this->NumberOfRenderedProps = this->Opaque->GetNumberOfRenderedProps();
   if (this->Background)
   {
     this->DrawBackground(renderer, window);
   }
-  vtkOpenGLFramebufferObject* result = this->Drawn;
-  if (samples > 0)
-  {
-    this->Drawn->Bind(GL_READ_FRAMEBUFFER);
-    this->Drawn->ActivateReadBuffer(0);
-    this->Resolved->Bind(GL_DRAW_FRAMEBUFFER);
-    this->Resolved->ActivateDrawBuffer(0);
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    result = this->Resolved;
-  }
-  result->Bind(GL_READ_FRAMEBUFFER);
-  result->ActivateReadBuffer(0);
-  this->Pixels.resize(std::size_t{ 4 } * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  this->Buffer->Bind();
+  this->Buffer->ActivateReadBuffer(0);
+  pixels.resize(std::size_t{ 4 } * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
-  glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, this->Pixels.data());
-  gl->vtkglEnable(GL_BLEND);
+  glReadPixels(0, 0, width, height, GL_RGBA, GL_FLOAT, pixels.data());
+}
+
+// 1 for the pixels of a frame just drawn next to a silhouette or a step in depth, else 0.
+std::vector<float> vtkBRDFRadiancePass::FindEdges(vtkRenderer* renderer, vtkOpenGLRenderWindow* vtkNotUsed(window))
+{
+  const int width = this->Size[0], height = this->Size[1];
+  const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  std::vector<float> depth(count), mask(count, 0.0f);
+  glReadPixels(0, 0, width, height, GL_DEPTH_COMPONENT, GL_FLOAT, depth.data());
+  // Distances along the view; nothing is at 1.
+  double range[2];
+  renderer->GetActiveCamera()->GetClippingRange(range);
+  const bool parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  std::vector<float> distance(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double z = depth[i];
+    distance[i] = static_cast<float>(z >= 1     ? 1e30
+                                     : parallel ? range[0] + z * (range[1] - range[0])
+                                                : range[0] * range[1] / (range[1] - z * (range[1] - range[0])));
+  }
+  const auto step = static_cast<float>(this->DepthStep);
+  const auto mark = [&](std::ptrdiff_t at, std::ptrdiff_t stride)
+  {
+    // Second differences: a slope is no edge. A silhouette in front of nothing is one by any measure.
+    const auto i = static_cast<std::size_t>(at);
+    const float before = distance[static_cast<std::size_t>(at - stride)], here = distance[i],
+                after = distance[static_cast<std::size_t>(at + stride)];
+    if (std::abs(before - here - (here - after)) > step)
+    {
+      mask[static_cast<std::size_t>(at - stride)] = mask[i] = mask[static_cast<std::size_t>(at + stride)] = 1.0f;
+    }
+  };
+  for (int y = 0; y < height; ++y)
+  {
+    for (int x = 0; x < width; ++x)
+    {
+      const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(y) * width + x;
+      if (x > 0 && x + 1 < width)
+      {
+        mark(at, 1);
+      }
+      if (y > 0 && y + 1 < height)
+      {
+        mark(at, width);
+      }
+    }
+  }
+  return mask;
+}
+
+void vtkBRDFRadiancePass::DrawEdges(const vtkRenderState* state, const std::vector<float>& mask)
+{
+  vtkRenderer* renderer = state->GetRenderer();
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  vtkCamera* camera = renderer->GetActiveCamera();
+  double center[2];
+  camera->GetWindowCenter(center);
+  std::vector<float> sum(this->Pixels.size(), 0.0f), pixels;
+  renderer->PreserveDepthBufferOn();
+  for (int sample = 0; sample < this->EdgeSamples; ++sample)
+  {
+    // Points of the R2 sequence (M. Roberts, 2018) over the pixel, the first its centre.
+    const double x = std::fmod(0.5 + 0.7548776662466927 * sample, 1) - 0.5;
+    const double y = std::fmod(0.5 + 0.5698402909980532 * sample, 1) - 0.5;
+    camera->SetWindowCenter(center[0] + 2 * x / this->Size[0], center[1] + 2 * y / this->Size[1]);
+    this->DrawMask(mask, window);
+    this->DrawFrame(state, sample, pixels);
+    for (std::size_t i = 0; i < mask.size(); ++i)
+    {
+      for (std::size_t channel = 0; channel < 4 && mask[i] > 0; ++channel)
+      {
+        sum[4 * i + channel] += pixels[4 * i + channel];
+      }
+    }
+  }
+  renderer->PreserveDepthBufferOff();
+  camera->SetWindowCenter(center[0], center[1]);
+  for (std::size_t i = 0; i < mask.size(); ++i)
+  {
+    for (std::size_t channel = 0; channel < 4 && mask[i] > 0; ++channel)
+    {
+      this->Pixels[4 * i + channel] = sum[4 * i + channel] / static_cast<float>(this->EdgeSamples);
+    }
+  }
+}
+
+void vtkBRDFRadiancePass::DrawMask(const std::vector<float>& mask, vtkOpenGLRenderWindow* window)
+{
+  if (!this->MaskQuad)
+  {
+    this->MaskQuad = MakeQuad(window, "brdf_mask.frag.glsl");
+  }
+  window->GetShaderCache()->ReadyShaderProgram(this->MaskQuad->Program);
+  vtkNew<vtkTextureObject> texture;
+  texture->SetContext(window);
+  texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
+                           static_cast<unsigned int>(this->Size[1]),
+                           1,
+                           VTK_FLOAT,
+                           const_cast<float*>(mask.data())); // VTK's signature; it reads only
+  vtkOpenGLState* gl = window->GetState();
+  this->Buffer->Bind();
+  this->Buffer->StartNonOrtho(this->Size[0], this->Size[1]);
+  gl->vtkglViewport(0, 0, this->Size[0], this->Size[1]);
+  gl->vtkglDisable(GL_SCISSOR_TEST);
+  gl->vtkglEnable(GL_DEPTH_TEST);
+  gl->vtkglDepthMask(GL_TRUE);
+  gl->vtkglDepthFunc(GL_ALWAYS);
+  gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  texture->Activate();
+  this->MaskQuad->Program->SetUniformi("brdfMask", texture->GetTextureUnit());
+  this->MaskQuad->Render();
+  texture->Deactivate();
+  gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl->vtkglDepthFunc(GL_LEQUAL);
 }
 
 void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
-  vtkTextureObject* texture = this->Background->GetRadianceTexture(window);
-  if (!this->Quad)
+  if (!this->BackgroundQuad)
   {
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(window,
-                                            std::string(vtkBRDFShaderText::File("brdf_background.vert.glsl")).c_str(),
-                                            std::string(vtkBRDFShaderText::File("brdf_background.frag.glsl")).c_str(),
-                                            "");
+    this->BackgroundQuad = MakeQuad(window, "brdf_background.frag.glsl");
   }
-  else
-  {
-    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
-  }
-  if (!this->Quad->Program)
-  {
-    throw brdf::Error(brdf::Error::Kind::Device, { "the background's shader does not compile", {}, {}, {} });
-  }
+  window->GetShaderCache()->ReadyShaderProgram(this->BackgroundQuad->Program);
   // From clip coordinates to directions of the map: projection and view rotation undone, then the map's own rotation.
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> view, matrix;
@@ -170,28 +294,25 @@ void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderW
   rotation->SetElement(2, 2, std::cos(angle));
   vtkMatrix4x4::Multiply4x4(rotation, matrix, matrix);
   matrix->Transpose(); // OpenGL takes columns first
-  texture->Activate();
-  vtkShaderProgram* program = this->Quad->Program;
+  this->Background->UpdateTextures(window);
+  this->Background->ActivateTextures();
+  vtkShaderProgram* program = this->BackgroundQuad->Program;
   program->SetUniformMatrix("brdfClipToEnvironment", matrix);
   program->SetUniformf("brdfLevel", static_cast<float>(this->BackgroundLevel));
   program->SetUniformf("brdfGain", static_cast<float>(this->BackgroundGain));
-  program->SetUniformi("brdfRadianceMap", texture->GetTextureUnit());
+  this->Background->SetUniforms(program);
   vtkOpenGLState* gl = window->GetState();
   gl->vtkglDepthFunc(GL_LEQUAL);
   gl->vtkglDepthMask(GL_FALSE);
-  this->Quad->Render();
+  this->BackgroundQuad->Render();
   gl->vtkglDepthMask(GL_TRUE);
-  texture->Deactivate();
+  this->Background->DeactivateTextures();
 }
 
 void vtkBRDFRadiancePass::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Drawn->ReleaseGraphicsResources(window);
-  this->Resolved->ReleaseGraphicsResources(window);
+  this->Buffer->ReleaseGraphicsResources(window);
   this->Opaque->ReleaseGraphicsResources(window);
-  if (this->Quad)
-  {
-    this->Quad->ReleaseGraphicsResources(window);
-    this->Quad.reset();
-  }
+  this->BackgroundQuad.reset();
+  this->MaskQuad.reset();
 }

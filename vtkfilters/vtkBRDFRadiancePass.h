@@ -1,8 +1,10 @@
 #ifndef vtkBRDFRadiancePass_h
 #define vtkBRDFRadiancePass_h
+#include "vtkNew.h"
 #include "vtkRenderPass.h"
 #include "vtkSmartPointer.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,9 +13,12 @@ class vtkBRDFEnvironment;
 class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
+class vtkRenderState;
 
 // Draws the opaque props of a renderer into a framebuffer of four 32-bit floats, over an environment or a plain colour,
-// and keeps the result in memory. A window's own buffers have 8 bits. Not wrapped: see vtkBRDFRender.
+// and keeps the result in memory. A window's own buffers have 8 bits. Pixels on silhouettes and creases are drawn again
+// at other places inside the pixel and averaged; the rest is closed to the device by its depth buffer (multisampling
+// would shade every sample of every pixel on software devices). Not wrapped: see vtkBRDFRender.
 class vtkBRDFRadiancePass : public vtkRenderPass
 {
 public:
@@ -21,10 +26,12 @@ public:
   vtkTypeMacro(vtkBRDFRadiancePass, vtkRenderPass);
 
   int Size[2] = { 512, 512 };
-  int MultiSamples = 4;                     // along silhouettes; 0 for none; cut to what the device has
+  int EdgeSamples = 8;  // places in a pixel on an edge; 1: the centre only
+  double DepthStep = 0; // distance along the view from which on two neighbours are different surfaces
   vtkBRDFEnvironment* Background = nullptr; // null: the renderer's background colour, linear
-  double BackgroundLevel = 0;               // mip level of the background
+  double BackgroundLevel = 0;               // level of the map of the background
   double BackgroundGain = 1;
+  std::function<void(int)> BeforeFrame; // called with 0, 1, ... before each drawing of the scene
 
   // Result: R, G, B, A, rows from the bottom; empty when it failed, and then why, in one line.
   std::vector<float> Pixels;
@@ -42,10 +49,14 @@ private:
   void operator=(const vtkBRDFRadiancePass&) = delete;
 
   void Draw(const vtkRenderState* state); // throws brdf::Error
+  void DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels);
   void DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void DrawMask(const std::vector<float>& mask, vtkOpenGLRenderWindow* window);
+  std::vector<float> FindEdges(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void DrawEdges(const vtkRenderState* state, const std::vector<float>& mask);
 
-  vtkSmartPointer<vtkOpenGLFramebufferObject> Drawn, Resolved;
+  vtkNew<vtkOpenGLFramebufferObject> Buffer;
   vtkSmartPointer<vtkRenderPass> Opaque;
-  std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::unique_ptr<vtkOpenGLQuadHelper> BackgroundQuad, MaskQuad;
 };
 #endif

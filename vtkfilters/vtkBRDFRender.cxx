@@ -70,6 +70,7 @@ public:
     this->Renderer->AddActor(this->Actor);
     this->Actor->SetMapper(this->Mapper);
     this->Mapper->SetBRDFData(this->Material);
+    this->Pass->BeforeFrame = [this](int frame) { this->Mapper->SetSeed(frame); };
   }
 
   vtkNew<vtkBRDFHeadlessRenderWindow> Window;
@@ -159,38 +160,42 @@ int vtkBRDFRender::RequestInformation(vtkInformation*,
   return 1;
 }
 
-void vtkBRDFRender::PlaceCamera(const double bounds[6])
+// Sets the camera up; the radius of the object's bounding sphere. Works on a copy, so that drawing changes nothing that
+// the pipeline watches.
+double vtkBRDFRender::PlaceCamera(const double bounds[6])
 {
   Scene& scene = this->GetScene();
-  vtkCamera* camera = this->Camera ? this->Camera : scene.Camera.Get();
+  vtkCamera* camera = scene.Camera;
   scene.Renderer->SetActiveCamera(camera);
+  // Of the sphere the bounds give the radius itself, of other objects half their diagonal.
+  double radius = 1;
+  if (this->GetNumberOfInputConnections(1) > 0)
+  {
+    radius = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]) / 2;
+  }
   if (this->Camera)
   {
+    camera->DeepCopy(this->Camera);
     scene.Renderer->ResetCameraClippingRange();
-    return;
+    return radius;
   }
   const double center[3] = { (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2 };
-  // Of the sphere the bounds give the radius itself, of other objects half their diagonal.
-  double radius = std::sqrt(std::pow(bounds[1] - bounds[0], 2) + std::pow(bounds[3] - bounds[2], 2) +
-                            std::pow(bounds[5] - bounds[4], 2)) /
-                  2;
-  if (this->GetNumberOfInputConnections(1) == 0)
-  {
-    radius = 1;
-  }
   const double vertical = vtkMath::RadiansFromDegrees(this->ViewAngle) / 2;
   const double aspect = static_cast<double>(this->Size[0]) / this->Size[1];
   const double narrow = std::min(vertical, std::atan(std::tan(vertical) * aspect));
   const double distance = 1.08 * radius / std::sin(narrow);
   const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
   const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
-  camera->SetFocalPoint(center);
-  camera->SetPosition(center[0] + distance * std::cos(elevation) * std::sin(azimuth),
+  vtkNew<vtkCamera> placed;
+  placed->SetFocalPoint(center);
+  placed->SetPosition(center[0] + distance * std::cos(elevation) * std::sin(azimuth),
                       center[1] + distance * std::sin(elevation),
                       center[2] + distance * std::cos(elevation) * std::cos(azimuth));
-  camera->SetViewUp(0, 1, 0);
-  camera->SetViewAngle(this->ViewAngle);
-  camera->SetClippingRange(std::max(distance - 1.1 * radius, 1e-3 * distance), distance + 1.1 * radius);
+  placed->SetViewUp(0, 1, 0);
+  placed->SetViewAngle(this->ViewAngle);
+  placed->SetClippingRange(std::max(distance - 1.1 * radius, 1e-3 * distance), distance + 1.1 * radius);
+  camera->DeepCopy(placed);
+  return radius;
 }
 
 int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
@@ -231,18 +236,19 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   scene.Mapper->SetNumberOfSamples(this->NumberOfSamples);
   scene.Mapper->SetLevelBias(this->LevelBias);
   scene.Mapper->SetExposure(this->Exposure);
-  this->PlaceCamera(scene.Mapper->GetBounds());
+  // Neighbours a fiftieth of the object apart in depth are different surfaces.
+  scene.Pass->DepthStep = this->PlaceCamera(scene.Mapper->GetBounds()) / 50;
 
   const bool showsEnvironment = this->Environment && this->Background == BACKGROUND_ENVIRONMENT;
   scene.Renderer->SetBackground(this->BackgroundColor);
   scene.Pass->Background = showsEnvironment ? this->Environment : nullptr;
   if (showsEnvironment)
   {
-    const double texel = 90.0 / this->Environment->GetFaceSize();
+    const double texel = 260.0 / this->Environment->GetMapSize();
     scene.Pass->BackgroundLevel = std::max(0.0, std::log2(std::max(this->BackgroundBlur, 1e-6) / texel));
     scene.Pass->BackgroundGain = std::exp2(this->Exposure);
   }
-  scene.Pass->MultiSamples = this->MultiSamples;
+  scene.Pass->EdgeSamples = this->EdgeSamples;
   std::copy_n(this->Size, 2, scene.Pass->Size);
   scene.Window->SetSize(this->Size);
   scene.Window->Render();
@@ -322,7 +328,7 @@ void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
-     << indent << "MultiSamples: " << this->MultiSamples << "\n"
+     << indent << "EdgeSamples: " << this->EdgeSamples << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "Environment: " << this->Environment << "\n"
      << indent << "Camera: " << this->Camera << "\n"

@@ -52,15 +52,17 @@ public:
   ///@}
 
   ///@{
-  /** See vtkBRDFPolyDataMapper; default 1. */
+  /** See vtkBRDFPolyDataMapper; default 0. */
   vtkSetMacro(LevelBias, double);
   vtkGetMacro(LevelBias, double);
   ///@}
 
   ///@{
-  /** Coverage samples along silhouettes, 0 for none; default 4 (less where the device has fewer). */
-  vtkSetClampMacro(MultiSamples, int, 0, 16);
-  vtkGetMacro(MultiSamples, int);
+  /** Places inside a pixel at which silhouettes and steps in depth are drawn and averaged, 1 for the centre only;
+   * default
+   * 8. Inside surfaces the centre is drawn. */
+  vtkSetClampMacro(EdgeSamples, int, 1, 64);
+  vtkGetMacro(EdgeSamples, int);
   ///@}
 
   ///@{
@@ -122,7 +124,7 @@ public:
   vtkGetObjectMacro(Camera, vtkCamera);
   ///@}
 
-  /** The camera that drew the last picture; null before. */
+  /** A copy of the camera that drew the last picture; null before. */
   vtkCamera* GetActiveCamera();
 
   /** What draws, in one line: EGL platform, device, OpenGL version; or why nothing can. */
@@ -147,15 +149,15 @@ private:
 
   class Scene;
   Scene& GetScene();
-  void PlaceCamera(const double bounds[6]);
+  double PlaceCamera(const double bounds[6]);
 
   std::unique_ptr<Scene> Graphics; // made when first needed
   vtkBRDFEnvironment* Environment = nullptr;
   vtkCamera* Camera = nullptr;
   int Size[2] = { 512, 512 };
   int NumberOfSamples = 64;
-  double LevelBias = 1;
-  int MultiSamples = 4;
+  double LevelBias = 0;
+  int EdgeSamples = 8;
   double Exposure = 0;
   int Background = BACKGROUND_ENVIRONMENT;
   double BackgroundBlur = 0;

@@ -100,7 +100,7 @@ std::string vtkBRDFShaderText::SamplerText(const brdf::Model& model) const
          "  for (int i = 0; i < samples; ++i)\n"
          "  {\n"
          "    vec3 wi = " +
-         name + "_sample(wo, brdfPoint(i, shift)" + arguments +
+         name + "_sample(wo, brdfPoint(i, samples, shift)" + arguments +
          ");\n"
          "    float density = " +
          name + "_pdf(wi, wo" + arguments +
@@ -140,8 +140,7 @@ std::string vtkBRDFShaderText::EnvironmentText() const
     {
       // Any direction gives its value; pi turns irradiance / pi into irradiance.
       text += "(3.14159265 * brdf_" + term.Model->name() + "(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0)" +
-              Arguments(term.Model->parameters().size(), term.Offset, false) +
-              ")) * texture(brdfDiffuseMap, frame[2]).rgb;\n";
+              Arguments(term.Model->parameters().size(), term.Offset, false) + ")) * brdfDiffuse(frame[2]);\n";
     }
     else
     {
@@ -163,6 +162,7 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment
                        "];\nuniform vec3 brdfScales[" + terms + "];\nuniform int brdfSamples[" + terms + "];\n" });
   if (environment)
   {
+    pieces.push_back({ "brdf_map.glsl", std::string(File("brdf_map.glsl")) });
     pieces.push_back(
       { "brdf_environment.glsl", "#define BRDF_ENVIRONMENT\n#line 1\n" + std::string(File("brdf_environment.glsl")) });
   }

@@ -118,7 +118,7 @@ EnvironmentMap::EnvironmentMap(const Image& picture) {
 }
 
 EnvironmentMap EnvironmentMap::constant(const Rgb& radiance) {
-  Image picture(16, 8, 3);
+  Image picture(128, 64, 3);  // fine enough for the cosine at its texels
   for (std::size_t index = 0; index < picture.values.size(); ++index)
     picture.values[index] = static_cast<float>(radiance[index % 3]);
   return EnvironmentMap(picture);
@@ -167,61 +167,58 @@ EnvironmentMap::Rgb EnvironmentMap::irradiance(const Direction& normal) const {
   return sum;
 }
 
-std::size_t EnvironmentMap::faceSize(std::size_t maximum) const {
-  const auto wanted = static_cast<std::size_t>(std::ceil(static_cast<double>(width()) / kPi));
+std::size_t EnvironmentMap::mapSize(std::size_t maximum) const {
+  const auto wanted = static_cast<std::size_t>(std::ceil(0.73 * static_cast<double>(width())));
   return std::min(std::bit_ceil(wanted), std::bit_floor(maximum));
 }
 
-CubeMap EnvironmentMap::radianceCube(std::size_t faceSize) const {
-  // A picture much finer than the cube is brought near its resolution first, so that few samples a texel are enough.
+OctahedralMap EnvironmentMap::radianceMap(std::size_t size) const {
+  // A picture much finer than the map is brought near its resolution first, so that few samples a texel are enough.
   Image reduced;
   const Image* source = &picture_;
-  while (source->width > 4 * faceSize && source->height % 2 == 0) {
+  while (source->width > 4 * size && source->height % 2 == 0) {
     reduced = halved(*source);
     source = &reduced;
   }
-  CubeMap::Level level(faceSize);
-  const std::size_t samples = source->width > 2 * faceSize ? 4 : 2;  // along each side of a texel
-  const double fine = static_cast<double>(faceSize * samples);
-  parallelFor(6 * faceSize, 8, [&](std::size_t first, std::size_t last) {
-    for (std::size_t line = first; line < last; ++line) {
-      const std::size_t face = line / faceSize, row = line % faceSize;
-      for (std::size_t column = 0; column < faceSize; ++column) {
+  std::vector<float> texels(3 * size * size);
+  const std::size_t samples = source->width > size ? 4 : 2;  // along each side of a texel
+  const double fine = static_cast<double>(size * samples);
+  parallelFor(size, 8, [&](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row)
+      for (std::size_t column = 0; column < size; ++column) {
         double sum[3] = {}, weight = 0;
         for (std::size_t sample = 0; sample < samples * samples; ++sample) {
-          const double s = (static_cast<double>(column * samples + sample % samples) + 0.5) / fine;
-          const double t = (static_cast<double>(row * samples + sample / samples) + 0.5) / fine;
-          const Direction toward = CubeMap::direction(face, s, t);
-          const double inverse = 1 / std::sqrt(dot(toward, toward)), angle = inverse * inverse * inverse;
+          const double u = (static_cast<double>(column * samples + sample % samples) + 0.5) / fine;
+          const double v = (static_cast<double>(row * samples + sample / samples) + 0.5) / fine;
+          const Direction d = OctahedralMap::direction(u, v);
+          const double norm = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]), angle = norm * norm * norm;
           double rgb[3];
-          interpolateToward(*source, {toward[0] * inverse, toward[1] * inverse, toward[2] * inverse}, rgb);
+          interpolateToward(*source, d, rgb);
           for (std::size_t channel = 0; channel < 3; ++channel) sum[channel] += angle * rgb[channel];
           weight += angle;
         }
-        float* out = level.texel(face, row, column);
-        for (std::size_t channel = 0; channel < 3; ++channel) out[channel] = static_cast<float>(sum[channel] / weight);
-        out[3] = 1;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          texels[3 * (row * size + column) + channel] = static_cast<float>(sum[channel] / weight);
       }
-    }
   });
-  return CubeMap::withMipLevels(std::move(level));
+  return OctahedralMap(size, texels);
 }
 
-CubeMap EnvironmentMap::diffuseCube(std::size_t faceSize) const {
+Image EnvironmentMap::diffuseMap() const {
   const auto fluxes = blockFluxes(picture_);
-  CubeMap::Level level(faceSize);
+  Image map(128, 65, 4);
   constexpr std::size_t lanes = 32;  // texels at a time: the innermost loop, vectorised
-  const std::size_t count = 6 * faceSize * faceSize;
-  parallelFor(count, lanes * 4, [&](std::size_t first, std::size_t last) {
+  parallelFor(map.width * map.height, lanes * 4, [&](std::size_t first, std::size_t last) {
     for (; first < last; first += lanes) {
       float normal[3][lanes] = {}, sum[3][lanes] = {};
       const std::size_t used = std::min(lanes, last - first);
       for (std::size_t lane = 0; lane < used; ++lane) {
-        const std::size_t index = first + lane, face = index / (faceSize * faceSize);
-        const double s = (static_cast<double>(index % faceSize) + 0.5) / static_cast<double>(faceSize);
-        const double t = (static_cast<double>(index / faceSize % faceSize) + 0.5) / static_cast<double>(faceSize);
-        const Direction n = normalized(CubeMap::direction(face, s, t));
-        for (std::size_t axis = 0; axis < 3; ++axis) normal[axis][lane] = static_cast<float>(n[axis]);
+        const std::size_t index = first + lane;
+        const double phi = 2 * kPi * static_cast<double>(index % map.width) / static_cast<double>(map.width) - kPi;
+        const double theta = kPi * static_cast<double>(index / map.width) / static_cast<double>(map.height - 1);
+        normal[0][lane] = static_cast<float>(std::sin(theta) * std::sin(phi));
+        normal[1][lane] = static_cast<float>(std::cos(theta));
+        normal[2][lane] = static_cast<float>(-std::sin(theta) * std::cos(phi));
       }
       for (const auto& flux : fluxes)
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -232,14 +229,14 @@ CubeMap EnvironmentMap::diffuseCube(std::size_t faceSize) const {
           }
         }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        float* out = level.texels.data() + 4 * (first + lane);
+        float* out = map.values.data() + 4 * (first + lane);
         for (std::size_t channel = 0; channel < 3; ++channel)
           out[channel] = sum[channel][lane] * static_cast<float>(1 / kPi);
         out[3] = 1;
       }
     }
   });
-  return CubeMap::single(std::move(level));
+  return map;
 }
 
 }  // namespace brdf

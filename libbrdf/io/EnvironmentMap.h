@@ -1,8 +1,8 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/geometry/Directions.h>
-#include <brdf/io/CubeMap.h>
 #include <brdf/io/Image.h>
+#include <brdf/io/OctahedralMap.h>
 
 #include <array>
 #include <cstdint>
@@ -50,15 +50,17 @@ class BRDF_EXPORT EnvironmentMap {
   /// Irradiance of a surface facing `normal`: the sum of radiance * max(0, cosine) * solid angle over all texels.
   Rgb irradiance(const Direction& normal) const;
 
-  /// Face size that resolves the picture: the power of two at or above width / pi, at most `maximum`.
-  std::size_t faceSize(std::size_t maximum = 1024) const;
-  /// Radiance as a cube map with mip levels, for `faceSize` texels a side (a power of two). Energy is kept level by
-  /// level; the total power is that of the picture within 1e-3 (tests/image/EnvironmentMapTest.cpp).
-  CubeMap radianceCube(std::size_t faceSize) const;
-  /// Light reflected by a white Lambertian, irradiance / pi, as a cube map of `faceSize` texels a side. Interpolated
-  /// linearly it is within 0.2 % of its largest value at 32 texels for the shipped maps (measured: same test); the
-  /// error is largest where a small bright source rises over the horizon.
-  CubeMap diffuseCube(std::size_t faceSize = 32) const;
+  /// Size of an octahedral map that resolves the picture: the power of two at or above 0.73 width (its coarsest texels
+  /// are as wide as the picture's at the horizon), at most `maximum`.
+  std::size_t mapSize(std::size_t maximum = 2048) const;
+  /// Radiance as an octahedral map with all levels. Energy is kept level by level; the total power is that of the
+  /// picture within 1e-3 (tests/image/EnvironmentMapTest.cpp).
+  OctahedralMap radianceMap(std::size_t size) const;
+  /// Light reflected by a white Lambertian, irradiance / pi, as a picture of R, G, B, 1: 128 columns around the
+  /// vertical (column i at phi = 2 pi i / 128 - pi, from -z as above), 65 rows from pole to pole (row j at theta = pi j
+  /// / 64). Interpolated bilinearly it is within 0.2 % of its largest value for the shipped maps (measured: same test);
+  /// the error is largest where a small bright source rises over the horizon.
+  Image diffuseMap() const;
 
  private:
   EnvironmentMap() = default;

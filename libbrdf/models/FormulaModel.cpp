@@ -62,6 +62,7 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
   isotropic_ = flagAttribute(root, "isotropic", true, where);
   reciprocal_ = flagAttribute(root, "reciprocal", true, where);
   constant_ = flagAttribute(root, "constant", false, where);
+  constant_ = flagAttribute(root, "constant", false, where);
   clamp_ = flagAttribute(root, "clamp", false, where);
   legacyDialect_ = std::string_view(root.attribute("dialect").value()) == "BRDFLab082";
   for (const pugi::xml_node node : root.children("parameter")) {

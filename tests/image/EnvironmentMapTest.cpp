@@ -1,0 +1,201 @@
+#include <brdf/base/Error.h>
+#include <brdf/io/EnvironmentMap.h>
+#include <brdf/io/EnvironmentSampler.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using brdf::Direction;
+using brdf::EnvironmentMap;
+using brdf::Image;
+using brdf::OctahedralMap;
+
+namespace {
+
+constexpr double kPi = brdf::kPi;
+
+EnvironmentMap shipped(const std::string& name) {
+  return EnvironmentMap::read(std::filesystem::path(BRDF_SOURCE_DIR) / "datasets/environments" / (name + ".exr"));
+}
+
+}  // namespace
+
+TEST(EnvironmentMap, ConstantRadianceHasPowerFourPiAndIrradiancePi) {
+  const EnvironmentMap map = EnvironmentMap::constant({1, 2, 0.5});
+  EXPECT_NEAR(map.totalPower()[0], 4 * kPi, 1e-6);
+  EXPECT_NEAR(map.totalPower()[1], 8 * kPi, 1e-6);
+  EXPECT_NEAR(map.irradiance({0, 1, 0})[0], kPi, 1e-3);
+}
+
+TEST(EnvironmentMap, OrientationIsAsDocumented) {
+  Image picture(64, 32, 3);
+  const auto mark = [&](std::size_t x, std::size_t y, std::size_t channel) { picture.pixel(x, y)[channel] = 1; };
+  mark(32, 16, 0);                                     // just right of and below the middle: -z
+  mark(48, 16, 1);                                     // three quarters: +x
+  for (std::size_t x = 0; x < 64; ++x) mark(x, 0, 2);  // zenith
+  const EnvironmentMap map(picture);
+  EXPECT_GT(map.radiance({0, 0, -1})[0], 0.2);
+  EXPECT_GT(map.radiance({1, 0, 0})[1], 0.2);
+  EXPECT_NEAR(map.radiance({0, 1, 0})[2], 1, 1e-6);
+  EXPECT_EQ(map.radiance({0, -1, 0})[2], 0);
+  const Direction d = map.direction(48, 16);
+  EXPECT_GT(d[0], 0.99);
+  EXPECT_NEAR(map.radiance(d)[1], 1, 1e-6) << "the centre of a texel has its value";
+}
+
+TEST(EnvironmentMap, SolidAnglesAddUpToTheSphere) {
+  const EnvironmentMap map(Image(128, 64, 1));
+  double sum = 0;
+  for (std::size_t row = 0; row < 64; ++row) sum += 128 * map.solidAngle(row);
+  EXPECT_NEAR(sum, 4 * kPi, 1e-12);
+  for (std::size_t n : {1u, 2u, 16u}) {
+    sum = 0;
+    for (std::size_t row = 0; row < n; ++row)
+      for (std::size_t column = 0; column < n; ++column) sum += OctahedralMap::solidAngle(n, column, row);
+    EXPECT_NEAR(sum, 4 * kPi, 1e-12) << n;
+  }
+}
+
+TEST(EnvironmentMap, ASmallTexelsSolidAngleIsItsAreaTimesTheCubedSumOfCoordinates) {
+  constexpr std::size_t n = 512;
+  for (std::size_t column : {3u, 100u, 255u, 300u, 511u})
+    for (std::size_t row : {0u, 77u, 256u, 450u}) {
+      const Direction d = OctahedralMap::direction((double(column) + 0.5) / n, (double(row) + 0.5) / n);
+      const double norm = std::abs(d[0]) + std::abs(d[1]) + std::abs(d[2]);
+      EXPECT_NEAR(OctahedralMap::solidAngle(n, column, row) / (4.0 / (n * n) * norm * norm * norm), 1, 2e-2);
+    }
+}
+
+TEST(EnvironmentMap, TheOctahedralProjectionIsInverted) {
+  for (double u : {0.01, 0.3, 0.5, 0.77, 0.99})
+    for (double v : {0.02, 0.25, 0.6, 0.98}) {
+      const auto back = OctahedralMap::project(OctahedralMap::direction(u, v));
+      EXPECT_NEAR(back[0], u, 1e-12);
+      EXPECT_NEAR(back[1], v, 1e-12);
+    }
+  EXPECT_NEAR(OctahedralMap::direction(0.5, 0.5)[1], 1, 1e-12);
+  EXPECT_NEAR(OctahedralMap::direction(1, 0.5)[0], 1, 1e-12);
+  EXPECT_NEAR(OctahedralMap::direction(0.5, 1)[2], 1, 1e-12);
+  EXPECT_NEAR(OctahedralMap::direction(0, 0)[1], -1, 1e-12);
+}
+
+TEST(EnvironmentMap, ImpossibleValuesAreZeroAndCounted) {
+  Image picture(4, 2, 1);
+  picture.values = {1, -1, std::numeric_limits<float>::infinity(), std::nanf(""), 0, 0, 0, 0};
+  const EnvironmentMap map(picture);
+  EXPECT_EQ(map.defects().negative, 1u);
+  EXPECT_EQ(map.defects().notFinite, 2u);
+  EXPECT_EQ(map.picture().pixel(0, 0)[2], 1.0f);
+  EXPECT_EQ(map.picture().pixel(2, 0)[0], 0.0f);
+}
+
+TEST(EnvironmentMap, APictureOfAnotherShapeIsRefused) {
+  EXPECT_THROW(EnvironmentMap{Image(64, 64, 3)}, brdf::Error);
+  EXPECT_THROW(EnvironmentMap{Image()}, brdf::Error);
+}
+
+TEST(EnvironmentMap, EveryLevelOfTheRadianceMapHasThePowerOfThePicture) {
+  for (const char* name : {"studio", "sunset", "venice"}) {
+    const EnvironmentMap map = shipped(name);
+    EXPECT_EQ(map.mapSize(), 512u);
+    const auto power = map.totalPower();
+    for (std::size_t size : {128u, 512u}) {
+      const OctahedralMap radiance = map.radianceMap(size);
+      EXPECT_EQ(radiance.levels(), size == 128 ? 8u : 10u);
+      for (std::size_t level = 0; level < radiance.levels(); ++level)
+        for (std::size_t channel = 0; channel < 3; ++channel)
+          EXPECT_NEAR(radiance.totalPower(level)[channel] / power[channel], 1, 1e-3)
+              << name << ' ' << size << ' ' << level;
+    }
+  }
+}
+
+TEST(EnvironmentMap, TheRadianceMapShowsThePictureInEveryDirection) {
+  Image picture(256, 128, 3);  // smooth: radiance = 2 + direction
+  const EnvironmentMap frame(picture);
+  for (std::size_t y = 0; y < 128; ++y)
+    for (std::size_t x = 0; x < 256; ++x)
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        picture.pixel(x, y)[channel] = static_cast<float>(2 + frame.direction(x, y)[channel]);
+  const EnvironmentMap map(picture);
+  const OctahedralMap radiance = map.radianceMap(64);
+  // Everywhere, borders and folds included: directions of a spiral, and those next to axes and folds.
+  for (int i = 0; i < 2000; ++i) {
+    const double y = 1 - 2 * (i + 0.5) / 2000, r = std::sqrt(1 - y * y), phi = 2.399963 * i;
+    const Direction d{r * std::cos(phi), y, r * std::sin(phi)};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      EXPECT_NEAR(radiance.radiance(d, 0)[channel], 2 + d[channel], 0.02) << d[0] << ' ' << d[1] << ' ' << d[2];
+      EXPECT_NEAR(radiance.radiance(d, 2)[channel], 2 + d[channel], 0.08);
+    }
+  }
+}
+
+TEST(EnvironmentMap, TheDiffuseMapIsTheCosineConvolution) {
+  for (const char* name : {"studio", "sunset", "venice"}) {
+    const EnvironmentMap map = shipped(name);
+    const Image diffuse = map.diffuseMap();
+    const auto interpolated = [&](double phi, double theta, std::size_t channel) {
+      const double x = (phi + kPi) / (2 * kPi) * 128, y = theta / kPi * 64, fx = x - std::floor(x),
+                   fy = y - std::floor(y);
+      const auto at = [&](double column, double row) {
+        return double(diffuse.pixel(std::size_t(column) % 128, std::min<std::size_t>(std::size_t(row), 64))[channel]);
+      };
+      return (at(x, y) * (1 - fx) + at(x + 1, y) * fx) * (1 - fy) +
+             (at(x, y + 1) * (1 - fx) + at(x + 1, y + 1) * fx) * fy;
+    };
+    double largest = 0, worst = 0;
+    for (int i = 0; i < 150; ++i) {
+      const double theta = std::acos(1 - 2 * (i + 0.5) / 150), phi = std::remainder(2.399963 * i, 2 * kPi);
+      const Direction n{std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+      const auto exact = map.irradiance(n);
+      for (std::size_t channel = 0; channel < 3; ++channel) {
+        largest = std::max(largest, exact[channel] / kPi);
+        worst = std::max(worst, std::abs(interpolated(phi, theta, channel) - exact[channel] / kPi));
+      }
+    }
+    RecordProperty(name, std::to_string(worst / largest));
+    EXPECT_LT(worst / largest, 2e-3) << name;
+  }
+}
+
+TEST(EnvironmentSampler, DensityIntegratesToOneAndFollowsTheLuminance) {
+  const EnvironmentMap map = shipped("venice");
+  const brdf::EnvironmentSampler sampler(map);
+  double sum = 0, total = 0;
+  for (std::size_t row = 0; row < map.height(); ++row)
+    for (std::size_t column = 0; column < map.width(); ++column) {
+      const float* rgb = map.picture().pixel(column, row);
+      total += map.solidAngle(row) * (0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]));
+      sum += map.solidAngle(row) * sampler.pdf(map.direction(column, row));
+    }
+  EXPECT_NEAR(sum, 1, 1e-9);
+  const float* rgb = map.picture().pixel(100, 90);
+  const double luminance = 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
+  EXPECT_NEAR(sampler.pdf(map.direction(100, 90)), luminance / total, 1e-9);
+}
+
+TEST(EnvironmentSampler, SamplesEstimateTheIrradiance) {
+  const EnvironmentMap map = shipped("sunset");
+  const brdf::EnvironmentSampler sampler(map);
+  const Direction normal = brdf::normalized({0.3, 0.8, -0.5});
+  double sum = 0, squares = 0;
+  constexpr int side = 300;
+  for (int i = 0; i < side * side; ++i) {
+    const Direction d = sampler.sample((i % side + 0.5) / side, (i / side + 0.5) / side);
+    const double density = sampler.pdf(d), cosine = std::max(0.0, brdf::dot(d, normal));
+    // Radiance of the texel, not interpolated: what the density is made from.
+    const auto column = static_cast<std::size_t>((0.5 + std::atan2(d[0], -d[2]) / (2 * kPi)) * 512) % 512;
+    const auto row = std::min<std::size_t>(static_cast<std::size_t>(std::acos(d[1]) / kPi * 256), 255);
+    const double value = cosine * double(map.picture().pixel(column, row)[1]) / density;
+    sum += value;
+    squares += value * value;
+  }
+  const double count = side * side, mean = sum / count, deviation = std::sqrt((squares / count - mean * mean) / count);
+  EXPECT_NEAR(mean, map.irradiance(normal)[1], 4 * deviation);
+}
+
+TEST(EnvironmentSampler, ABlackMapIsDrawnFromUniformly) {
+  const brdf::EnvironmentSampler sampler(EnvironmentMap::constant({0, 0, 0}));
+  EXPECT_NEAR(sampler.pdf(brdf::normalized({0.1, 0.9, 0.3})), 1 / (4 * kPi), 1e-9);
+}
