@@ -197,7 +197,13 @@ std::vector<double> LogarithmicTicks(double low, double high)
 
 std::string NumberText(double value, int digits)
 {
-  return brdf::formatNumber(*brdf::parseNumber(brdf::formatNumber(value, digits)));
+  std::string text = brdf::formatNumber(*brdf::parseNumber(brdf::formatNumber(value, digits)));
+  const std::size_t exponent = text.find('e');
+  if (exponent != std::string::npos && exponent + 2 < text.size() && text[exponent + 2] == '0')
+  {
+    text.erase(exponent + 2, 1); // 1e-04 is 1e-4
+  }
+  return text;
 }
 
 std::string Rounded(const std::string& text, int digits)

@@ -95,7 +95,7 @@ vtkBRDFErrorMapView::ColorScale vtkBRDFErrorMapView::ChooseScale()
     return scale;
   }
   std::sort(positive.begin(), positive.end());
-  if (this->Scale == "log" || scale.High > 30 * positive[positive.size() / 2])
+  if (this->Scale == "log" || scale.High > 10 * positive[positive.size() / 2])
   {
     scale.Logarithmic = true;
     scale.Low = std::max(positive.front(), 1e-4 * scale.High);
@@ -121,25 +121,37 @@ void vtkBRDFErrorMapView::AddMap(const Layout& layout, const ColorScale& scale)
     for (int x = 0; x < nodes; ++x)
     {
       const vtkIdType i = static_cast<vtkIdType>(y) * nodes + x;
-      if (count->GetComponent(i, 0) == 0)
+      const Point low = { layout.X(std::max((2 * x - 1) * half, 0.0)), layout.Y(std::max((2 * y - 1) * half, 0.0)) };
+      const Point high = { layout.X(std::min((2 * x + 1) * half, 90.0)), layout.Y(std::min((2 * y + 1) * half, 90.0)) };
+      if (count->GetComponent(i, 0) > 0)
       {
-        continue;
+        squares.push_back({ low, high, scale.At(scale.Position(error->GetComponent(i, 0))) });
       }
-      const double low[2] = { std::max((2 * x - 1) * half, 0.0), std::max((2 * y - 1) * half, 0.0) };
-      const double high[2] = { std::min((2 * x + 1) * half, 90.0), std::min((2 * y + 1) * half, 90.0) };
-      squares.push_back({ { layout.X(low[0]), layout.Y(low[1]) },
-                          { layout.X(high[0]), layout.Y(high[1]) },
-                          scale.At(scale.Position(error->GetComponent(i, 0))) });
     }
   }
-  std::vector<Line> hatch;
-  for (int degrees = -87; degrees < 90; degrees += 3)
+  AddRectangles(this->GetRenderer(), squares);
+
+  // Diagonals, in quarter degrees, where a point has no value.
+  const auto empty = [&](double x, double y)
   {
-    hatch.push_back({ { layout.X(std::max(degrees, 0)), layout.Y(std::max(-degrees, 0)) },
-                      { layout.X(std::min(degrees + 90, 90)), layout.Y(std::min(90 - degrees, 90)) } });
+    const auto node = [&](double degrees)
+    { return std::min(static_cast<int>((degrees + half) / (2 * half)), nodes - 1); };
+    return count->GetComponent(static_cast<vtkIdType>(node(y)) * nodes + node(x), 0) == 0;
+  };
+  const double step = 0.25;
+  std::vector<Line> hatch;
+  for (int offset = -87; offset < 90; offset += 3)
+  {
+    for (double x = std::max(offset, 0); x < std::min(offset + 90, 90); x += step)
+    {
+      const double y = x - offset;
+      if (empty(x + step / 2, y + step / 2))
+      {
+        hatch.push_back({ { layout.X(x), layout.Y(y) }, { layout.X(x + step), layout.Y(y + step) } });
+      }
+    }
   }
   AddLines(this->GetRenderer(), hatch, Hatch, LineWidth(layout.Text));
-  AddRectangles(this->GetRenderer(), squares);
 }
 
 void vtkBRDFErrorMapView::AddAxes(const Layout& layout)

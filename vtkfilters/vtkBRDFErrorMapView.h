@@ -48,7 +48,7 @@ public:
 
   ///@{
   /** Colours over the values: "linear", "log" (over at most four decades; not for signed differences), or "auto"
-   * (default): log where the largest value is more than thirty times the median. */
+   * (default): log where the largest value is more than ten times the median. */
   vtkSetMacro(Scale, std::string);
   vtkGetMacro(Scale, std::string);
   ///@}
