@@ -12,7 +12,8 @@ namespace brdf {
 struct SamplerOptions {
   /// Relative variance of f cos / pdf (variance over albedo squared) that the tables may add: more cells and more
   /// viewers until measured to be below it, or until more of them or more memory do not help. The report says what was
-  /// reached. Halving it costs about twice the cells.
+  /// reached. Cells at 0.5, 0.05, 0.01 (cosineShare 0.01): GGX(alpha=0.05) 168, 2224, 10459 in 0.1 s each;
+  /// GGX(alpha=0.05, alpha_y=0.3) 1656, 53981, 2013531 in 0.1, 0.3 and 1.6 s on two cores.
   double tolerance = 0.05;
   /// Share of cosine-weighted draws at least mixed in, 0 to 1: bounds what a table misses, and costs a sharp lobe a
   /// relative variance of share / (1 - share).
@@ -29,7 +30,9 @@ struct SamplerOptions {
 /// drawn exactly, by the cosine, and the tables hold what lies above it. Between viewers the neighbours' tables are
 /// mixed, and the density is that of the mixture: `pdf` is exactly the density of `sample`, whatever the tables miss.
 /// Draws that fall below the horizon fail (0, 0, 0); the density integrates to 1 less their share.
-/// Immutable; safe to share among threads.
+/// What a BRDF shows only at viewers between the tabulated and the measured ones (a peak that interpolation of
+/// scattered data makes within a degree, say) stays with the cosine and is not in the report. Immutable; safe to share
+/// among threads.
 class BRDF_EXPORT TabulatedSampler {
  public:
   enum class Kind {
