@@ -156,15 +156,17 @@ void LobeSum::evaluateBlocks(const DirectionPairs<T>& pairs, T* values, std::uin
   for (std::size_t first = 0; first < pairs.count; first += kBlock) {
     const std::size_t length = std::min(kBlock, pairs.count - first);
     const DirectionPairs<T> block = pairs.slice(first, length);
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
-      std::fill_n(values + channel * pairs.count + first, length, T(0));
-    for (const Lobe& lobe : lobes_) {
+    for (std::size_t l = 0; l < lobes_.size(); ++l) {
+      const Lobe& lobe = lobes_[l];
       const bool shared = lobe.channelIndependent();
       for (std::size_t channel = 0; channel < channelCount; ++channel) {
         if (channel == 0 || !shared) lobe.model->evaluate(block, lobe.parametersOf(channel), lobeValues);
         const T scale = static_cast<T>(lobe.scaleOf(channel));
         T* out = values + channel * pairs.count + first;
-        for (std::size_t i = 0; i < length; ++i) out[i] += scale * lobeValues[i];
+        if (l == 0)
+          for (std::size_t i = 0; i < length; ++i) out[i] = scale * lobeValues[i];
+        else
+          for (std::size_t i = 0; i < length; ++i) out[i] += scale * lobeValues[i];
       }
     }
   }
