@@ -1,6 +1,7 @@
 #include "vtkBRDFAlgorithm.h"
 
 #include "vtkBRDF.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -23,6 +24,34 @@ vtkBRDFAlgorithm::~vtkBRDFAlgorithm() = default;
 vtkBRDF* vtkBRDFAlgorithm::GetOutput()
 {
   return vtkBRDF::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+bool vtkBRDFAlgorithm::UpdateAndCheck()
+{
+  return this->GetExecutive()->Update() != 0;
+}
+
+std::string vtkBRDFAlgorithm::GetPipelineErrorText()
+{
+  if (!this->ErrorText.empty())
+  {
+    return this->ErrorText;
+  }
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int connection = 0; connection < this->GetNumberOfInputConnections(port); ++connection)
+    {
+      if (auto* upstream = vtkBRDFAlgorithm::SafeDownCast(this->GetInputAlgorithm(port, connection)))
+      {
+        std::string text = upstream->GetPipelineErrorText();
+        if (!text.empty())
+        {
+          return text;
+        }
+      }
+    }
+  }
+  return {};
 }
 
 int vtkBRDFAlgorithm::FillInputPortInformation(int, vtkInformation* info)

@@ -40,6 +40,12 @@ public:
   /** Why the last execution failed, in one line; empty when it succeeded. */
   std::string GetErrorText() const { return this->ErrorText; }
 
+  /** Updates all outputs. False when this algorithm or one upstream failed; GetPipelineErrorText() then says why. */
+  bool UpdateAndCheck();
+
+  /** GetErrorText() of this algorithm or, where it is empty, of the first one upstream that failed. */
+  std::string GetPipelineErrorText();
+
   vtkTypeBool ProcessRequest(vtkInformation* request,
                              vtkInformationVector** inputs,
                              vtkInformationVector* outputs) override;

@@ -185,10 +185,10 @@ bool vtkBRDFView::WritePNG(const std::string& fileName)
 
 void vtkBRDFView::UpdateOrThrow(vtkBRDFAlgorithm* algorithm)
 {
-  algorithm->Update();
-  if (!algorithm->GetErrorText().empty())
+  if (!algorithm->UpdateAndCheck())
   {
-    throw std::runtime_error(algorithm->GetErrorText());
+    const std::string reason = algorithm->GetPipelineErrorText();
+    throw std::runtime_error(reason.empty() ? "the pipeline of the view failed" : reason);
   }
 }
 

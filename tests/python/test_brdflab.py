@@ -1,0 +1,156 @@
+"""The package `brdflab` as a user of Python meets it."""
+
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonDataModel import vtkImageData
+
+os.environ.pop("DISPLAY", None)  # nothing here may need an X server
+
+import brdflab  # noqa: E402
+
+
+def source(material):
+    made = brdflab.vtkBRDFSource()
+    made.SetMaterial(material)
+    made.Update()
+    assert not made.GetErrorText(), made.GetErrorText()
+    return made
+
+
+def hemisphere(count, seed):
+    """Unit vectors above the horizon."""
+    vectors = np.random.default_rng(seed).normal(size=(count, 3))
+    vectors[:, 2] = np.abs(vectors[:, 2])
+    return vectors / np.linalg.norm(vectors, axis=1)[:, None]
+
+
+def evaluate(brdf, wi, wo):
+    values, valid = vtkDoubleArray(), vtkUnsignedCharArray()
+    assert brdf.Evaluate(numpy_to_vtk(wi), numpy_to_vtk(wo), values, valid)
+    return vtk_to_numpy(values), vtk_to_numpy(valid)
+
+
+class Evaluation(unittest.TestCase):
+    def test_lambertian_is_albedo_over_pi(self):
+        brdf = source("0.5*Lambertian").GetOutput()
+        self.assertAlmostEqual(brdf.Evaluate((0, 0, 1), (0.6, 0, 0.8)), 0.5 / math.pi, places=15)
+
+    def test_arrays_equal_single_pairs(self):
+        brdf = source("(0.3,0.2,0.1)*Lambertian + GGX(alpha=0.3)").GetOutput()
+        wi, wo = hemisphere(50, 1), hemisphere(50, 2)
+        values, valid = evaluate(brdf, wi, wo)
+        self.assertEqual(values.shape, (50, 3))
+        self.assertTrue(valid.all())
+        for i in range(50):
+            for channel in range(3):
+                # Block and single evaluation may round differently in the last places.
+                single = brdf.Evaluate(wi[i], wo[i], channel)
+                self.assertLess(abs(values[i, channel] - single), 1e-14 * (1 + single))
+
+    def test_ggx_equals_its_paper(self):
+        """Walter et al. 2007, equations 20, 22, 33 and 34 (height-correlated or not, G(wi = wo = n) is 1)."""
+        alpha, ior = 0.3, 1.5
+        expected = ((ior - 1) / (ior + 1)) ** 2 / (math.pi * alpha**2) / 4
+        value = source(f"GGX(alpha={alpha}, ior={ior})").GetOutput().Evaluate((0, 0, 1), (0, 0, 1))
+        self.assertLess(abs(value / expected - 1), 1e-12)
+
+    def test_below_the_horizon_is_zero_and_valid(self):
+        brdf = source("Lambertian").GetOutput()
+        down = np.array([[0, 0, -1.0], [0.6, 0, -0.8]])
+        values, valid = evaluate(brdf, down, hemisphere(2, 3))
+        self.assertFalse(values.any())
+        self.assertTrue(valid.all())
+
+
+class Pipeline(unittest.TestCase):
+    def test_lobe_of_a_lambertian(self):
+        lobe = brdflab.vtkBRDFLobe()
+        lambertian = source("Lambertian")
+        lobe.SetInputConnection(lambertian.GetOutputPort())
+        lobe.SetTransform("cuberoot")
+        lobe.Update()
+        points = vtk_to_numpy(lobe.GetOutput().GetPoints().GetData())
+        np.testing.assert_allclose(np.linalg.norm(points, axis=1), math.pi ** (-1 / 3), rtol=1e-14)
+
+    def test_table_is_a_numpy_volume(self):
+        table = brdflab.vtkBRDFTabulate()
+        lambertian = source("Lambertian")
+        table.SetInputConnection(lambertian.GetOutputPort())
+        table.SetCells(18, 9, 9)
+        table.Update()
+        image = table.GetOutput()
+        value = vtk_to_numpy(image.GetPointData().GetArray("value"))
+        valid = vtk_to_numpy(image.GetPointData().GetArray("valid"))
+        self.assertEqual(image.GetDimensions(), (18, 9, 9))
+        np.testing.assert_allclose(value[valid == 1], 1 / math.pi, rtol=1e-14)
+        self.assertFalse(value[valid == 0].any())
+        self.assertTrue(0 < valid.mean() < 1)
+
+    def test_fit_of_measured_data(self):
+        path = os.path.join(os.environ.get("BRDF_SHARED_DIR", ""), "data/measured/garnet_red.brdf")
+        if not os.path.exists(path):
+            self.skipTest("no measured data at " + path)
+        reader = brdflab.vtkBRDFReader()
+        reader.SetFileName(path)
+        fit = brdflab.vtkBRDFFit()
+        fit.SetInputConnection(reader.GetOutputPort())
+        fit.SetChannels("luminance")
+        fit.SetLobes("Lambertian + GGX")
+        fit.Update()
+        fields = fit.GetOutput().GetFieldData()
+        self.assertLess(fields.GetArray("error").GetValue(0), 0.0209)  # 1/sr; a global search found 0.0208
+        self.assertLess(fields.GetArray("error").GetValue(0), fields.GetArray("zeroModelError").GetValue(0))
+        self.assertGreater(fit.GetParameters().GetNumberOfRows(), 2)
+
+
+class Pictures(unittest.TestCase):
+    def test_a_view_writes_a_png(self):
+        view = brdflab.vtkBRDFLobeView()
+        view.SetSize(300, 240)
+        matte = source("Lambertian")  # a port does not keep its source alive
+        view.AddInputConnection(matte.GetOutputPort(), "matte")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "lobe.png")
+            self.assertTrue(view.WritePNG(path), view.GetErrorText())
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(8), b"\x89PNG\r\n\x1a\n")
+        image = vtkImageData()
+        self.assertTrue(view.Capture(image))
+        self.assertEqual(image.GetDimensions(), (300, 240, 1))
+        pixels = vtk_to_numpy(image.GetPointData().GetScalars()).reshape(240, 300, 3).astype(int)
+        blue = (pixels[..., 2] > pixels[..., 0] + 40) & (pixels[..., 2] > pixels[..., 1] + 20)
+        self.assertGreater(blue.mean(), 0.1)
+
+    def test_without_egl_there_is_one_line_of_reason(self):
+        script = (
+            "import brdflab\n"
+            "window = brdflab.vtkBRDFHeadlessRenderWindow()\n"
+            "print(window.IsAvailable(), window.GetErrorText())\n"
+            "source = brdflab.vtkBRDFSource()\n"
+            "view = brdflab.vtkBRDFLobeView()\n"
+            "view.AddInputConnection(source.GetOutputPort())\n"
+            "print(view.WritePNG('never.png'), view.GetErrorText())\n"
+        )
+        environment = dict(os.environ, __EGL_VENDOR_LIBRARY_FILENAMES="/dev/null")
+        with tempfile.TemporaryDirectory() as folder:
+            done = subprocess.run(
+                [sys.executable, "-c", script], env=environment, cwd=folder, capture_output=True, text=True, timeout=120
+            )
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(os.listdir(folder), [])
+        lines = done.stdout.splitlines()
+        self.assertEqual(len(lines), 2)
+        self.assertTrue(lines[0].startswith("False no EGL"), lines)
+        self.assertTrue(lines[1].startswith("False") and "no EGL" in lines[1], lines)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)

@@ -1,0 +1,271 @@
+#include "Support.h"
+
+#include <brdf/base/File.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/material/TableBrdf.h>
+
+#include <gtest/gtest.h>
+
+#include <vtkBRDFErrorMap.h>
+#include <vtkBRDFFit.h>
+#include <vtkBRDFLobe.h>
+#include <vtkBRDFReader.h>
+#include <vtkBRDFSource.h>
+#include <vtkBRDFTabulate.h>
+#include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkSphereSource.h>
+#include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <filesystem>
+
+namespace brdf {
+namespace {
+
+using test::ExpectErrors;
+
+TEST(Pipeline, EveryFilterExecutesOncePerChange) {
+  vtkNew<vtkBRDFSource> source;
+  vtkNew<vtkBRDFLobe> lobe;
+  vtkNew<vtkBRDFTabulate> table;
+  lobe->SetInputConnection(source->GetOutputPort());
+  table->SetInputConnection(source->GetOutputPort());
+  table->SetCells(8, 8, 8);
+  const test::Executions ofSource(source), ofLobe(lobe), ofTable(table);
+  const auto counts = [&] { return std::array<int, 3>{ofSource.count(), ofLobe.count(), ofTable.count()}; };
+  for (int turn = 0; turn < 2; ++turn) {
+    lobe->Update();
+    table->Update();
+  }
+  EXPECT_EQ(counts(), (std::array<int, 3>{1, 1, 1}));
+  source->SetMaterial("0.5*Lambertian");
+  lobe->Update();
+  table->Update();
+  EXPECT_EQ(counts(), (std::array<int, 3>{2, 2, 2}));
+  lobe->SetThetaI(10);
+  lobe->Update();
+  table->Update();
+  EXPECT_EQ(counts(), (std::array<int, 3>{2, 3, 2}));
+}
+
+TEST(Pipeline, DataObjectSharesAndDescribesItsBrdf) {
+  vtkNew<vtkBRDFSource> source;
+  source->SetMaterial("(0.3,0.2,0.1)*Lambertian + GGX(alpha=0.25)");
+  source->Update();
+  vtkBRDF* brdf = source->GetOutput();
+  EXPECT_EQ(brdf->GetNumberOfChannels(), 3);
+  EXPECT_EQ(brdf->GetChannelKind(), "rgb");
+  EXPECT_EQ(brdf->GetNumberOfSamples(), 0);
+  vtkDataArray* alpha = brdf->GetFieldData()->GetArray("1.GGX.alpha");
+  ASSERT_NE(alpha, nullptr);
+  EXPECT_EQ(alpha->GetComponent(0, 0), 0.25);
+  EXPECT_EQ(brdf->GetFieldData()->GetArray("0.Lambertian.scale")->GetTuple1(2), 0.1);
+  const auto copy = vtkSmartPointer<vtkBRDF>::Take(brdf->NewInstance());
+  copy->DeepCopy(brdf);
+  EXPECT_EQ(copy->GetBrdf(), brdf->GetBrdf());
+  EXPECT_EQ(copy->GetDescription(), brdf->GetDescription());
+  copy->Initialize();
+  EXPECT_TRUE(copy->IsEmpty());
+  EXPECT_NE(brdf->GetBrdf(), nullptr);
+}
+
+TEST(Pipeline, ArraysEvaluateAsSinglePairsDo) {
+  vtkNew<vtkBRDFSource> source;
+  source->SetMaterial("(0.3,0.2,0.1)*Lambertian + GGX(alpha=0.25)");
+  source->Update();
+  vtkNew<vtkDoubleArray> wi, wo, values;
+  vtkNew<vtkUnsignedCharArray> valid;
+  wi->SetNumberOfComponents(3);
+  wo->SetNumberOfComponents(3);
+  for (int i = 0; i < 100; ++i) {
+    wi->InsertNextTuple(fromSpherical(radians(0.9 * i), 0.1 * i).data());
+    wo->InsertNextTuple(fromSpherical(radians(89 - 0.9 * i), 3).data());
+  }
+  ASSERT_TRUE(source->GetOutput()->Evaluate(wi, wo, values, valid));
+  ASSERT_EQ(values->GetNumberOfTuples(), 100);
+  ASSERT_EQ(values->GetNumberOfComponents(), 3);
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_EQ(valid->GetValue(i), 1);
+    for (int c = 0; c < 3; ++c)
+      EXPECT_DOUBLE_EQ(values->GetComponent(i, c),
+                       source->GetOutput()->Evaluate(wi->GetTuple3(i), wo->GetTuple3(i), c));
+  }
+}
+
+TEST(Pipeline, ErrorsReachTheUserAndTheNextUpdateRecovers) {
+  const ExpectErrors errors;
+  vtkNew<vtkBRDFSource> source;
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->SetInputConnection(source->GetOutputPort());
+  source->SetMaterial("0.3*Lambertian + Nonsense");
+  lobe->Update();
+  EXPECT_NE(source->GetErrorText().find("Nonsense"), std::string::npos) << source->GetErrorText();
+  EXPECT_NE(errors.text().find("Nonsense"), std::string::npos);
+  EXPECT_TRUE(source->GetOutput()->IsEmpty());
+  source->SetMaterial("0.3*Lambertian");
+  lobe->Update();
+  EXPECT_TRUE(source->GetErrorText().empty());
+  EXPECT_GT(lobe->GetOutput()->GetNumberOfPolys(), 0);
+  lobe->SetTransform("sqrt");
+  lobe->Update();
+  EXPECT_NE(lobe->GetErrorText().find("cuberoot"), std::string::npos);
+  EXPECT_EQ(lobe->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(Pipeline, EveryKindOfBadInputIsAnErrorAndNothingElse) {
+  const ExpectErrors errors;
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->Update();  // no input
+  vtkNew<vtkSphereSource> sphere;
+  lobe->SetInputConnection(sphere->GetOutputPort());
+  lobe->Update();  // of the wrong type
+  EXPECT_EQ(lobe->GetOutput()->GetNumberOfPoints(), 0);
+  vtkNew<vtkBRDF> empty;
+  lobe->SetInputData(empty);
+  lobe->Update();
+  EXPECT_NE(lobe->GetErrorText().find("no BRDF"), std::string::npos);
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName("/no/such/file.binary");
+  reader->Update();
+  EXPECT_NE(reader->GetErrorText().find("/no/such/file.binary"), std::string::npos);
+  vtkNew<vtkBRDFSource> source;
+  vtkNew<vtkBRDFFit> fit;
+  fit->SetInputConnection(source->GetOutputPort());
+  fit->Update();  // a formula has no samples
+  EXPECT_FALSE(fit->GetErrorText().empty());
+  vtkNew<vtkBRDFTabulate> table;
+  table->SetInputConnection(source->GetOutputPort());
+  table->SetCells(1, 90, 90);
+  table->Update();
+  EXPECT_NE(table->GetErrorText().find("2 to 1024"), std::string::npos);
+  vtkNew<vtkDoubleArray> one;
+  EXPECT_FALSE(empty->Evaluate(one, one, one));
+  const double up[3] = {0, 0, 1};
+  EXPECT_EQ(empty->Evaluate(up, up), 0);
+}
+
+TEST(Pipeline, LambertianLobeHasTheRadiusOfItsValue) {
+  vtkNew<vtkBRDFSource> source;
+  source->SetMaterial("(0.5,0.5,0.5)*Lambertian");
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->SetInputConnection(source->GetOutputPort());
+  for (const auto& [transform, radius] : {std::pair{"none", 0.15915494309189535}, {"cuberoot", 0.5419260701392890}}) {
+    lobe->SetTransform(transform);
+    lobe->Update();
+    vtkPolyData* mesh = lobe->GetOutput();
+    for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i) {
+      const double* p = mesh->GetPoint(i);
+      ASSERT_NEAR(std::hypot(p[0], p[1], p[2]), radius, 1e-14);
+      ASSERT_GE(p[2], 0);
+    }
+    EXPECT_NEAR(lobe->GetMaximumLength(), radius, 1e-14);
+  }
+  EXPECT_EQ(lobe->GetOutput()->GetPointData()->GetArray("value")->GetNumberOfComponents(), 1);
+  lobe->SetChannel("rgb");
+  lobe->Update();
+  EXPECT_EQ(lobe->GetOutput()->GetPointData()->GetArray("value")->GetNumberOfComponents(), 3);
+  EXPECT_NE(lobe->GetOutput()->GetFieldData()->GetAbstractArray("vtkBRDF"), nullptr);
+}
+
+TEST(Pipeline, GeometryIsForTheFirstRankOnly) {
+  vtkNew<vtkBRDFSource> source;
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->SetInputConnection(source->GetOutputPort());
+  lobe->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(lobe->GetOutput()->GetNumberOfPoints(), 0);
+  lobe->UpdatePiece(0, 2, 0);
+  EXPECT_GT(lobe->GetOutput()->GetNumberOfPoints(), 0);
+  source->UpdatePiece(1, 2, 0);
+  EXPECT_FALSE(source->GetOutput()->IsEmpty());
+}
+
+TEST(Pipeline, TableHoldsTheValuesAtItsCellCentres) {
+  vtkNew<vtkBRDFSource> source;
+  source->SetMaterial("(0.3,0.2,0.1)*Lambertian + GGX(alpha=0.4)");
+  vtkNew<vtkBRDFTabulate> table;
+  table->SetInputConnection(source->GetOutputPort());
+  table->SetCells(12, 10, 8);
+  table->Update();
+  vtkImageData* image = table->GetOutput();
+  ASSERT_EQ(image->GetNumberOfPoints(), 12 * 10 * 8);
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i) {
+    const double* at = image->GetPoint(i);
+    const DirectionPair pair = fromHalfDifference({radians(90 * at[2] * at[2]), 0, radians(at[1]), radians(at[0])});
+    const bool above = pair.wi[2] > 1e-12 && pair.wo[2] > 1e-12;
+    if (std::min(std::abs(pair.wi[2]), std::abs(pair.wo[2])) < 1e-12) continue;
+    ASSERT_EQ(image->GetPointData()->GetArray("valid")->GetTuple1(i), above);
+    for (int c = 0; c < 3; ++c) {
+      const double expected = above ? source->GetOutput()->Evaluate(pair.wi.data(), pair.wo.data(), c) : 0;
+      ASSERT_NEAR(image->GetPointData()->GetArray("value")->GetComponent(i, c), expected, 1e-9 * (1 + expected));
+    }
+  }
+}
+
+TEST(Pipeline, FitFindsTheParametersThatMadeItsTarget) {
+  TableLayout layout;
+  layout.phiD = 24;
+  layout.thetaD = 12;
+  layout.thetaH = 24;
+  const auto truth = parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.2, ior=1.5)");
+  vtkNew<vtkBRDF> target;
+  target->SetBrdf(TableBrdf::tabulate(*truth, layout));
+  EXPECT_EQ(target->GetNumberOfSamples(), 24 * 12 * 24);
+  vtkNew<vtkBRDFFit> fit;
+  fit->SetInputData(target);
+  fit->SetLobes("Lambertian + GGX");
+  fit->Update();
+  ASSERT_EQ(fit->GetErrorText(), "");
+  vtkFieldData* fields = fit->GetOutput()->GetFieldData();
+  EXPECT_LT(fields->GetArray("error")->GetTuple1(0), 1e-6 * fields->GetArray("zeroModelError")->GetTuple1(0));
+  vtkTable* table = fit->GetParameters();
+  bool found = false;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+    if (table->GetValueByName(row, "parameter").ToString() == "alpha") {
+      found = true;
+      EXPECT_NEAR(table->GetValueByName(row, "value").ToDouble(), 0.2, 1e-6);
+      EXPECT_EQ(table->GetValueByName(row, "channel").ToInt(), -1);
+    }
+  EXPECT_TRUE(found);
+}
+
+TEST(Pipeline, ErrorMapIsAnImageInDegrees) {
+  vtkNew<vtkBRDFSource> a, b;
+  a->SetMaterial("0.9*Lambertian");
+  b->SetMaterial("0.4*Lambertian");
+  vtkNew<vtkBRDFErrorMap> map;
+  map->SetInputConnection(0, a->GetOutputPort());
+  map->SetInputConnection(1, b->GetOutputPort());
+  map->SetIntervals(30);
+  map->Update();
+  vtkImageData* image = map->GetOutput();
+  EXPECT_EQ(image->GetDimensions()[0], 31);
+  EXPECT_DOUBLE_EQ(image->GetBounds()[1], 90);
+  EXPECT_DOUBLE_EQ(image->GetBounds()[3], 90);
+  const double* range = image->GetPointData()->GetArray("error")->GetRange();
+  EXPECT_NEAR(range[0], 0.5 / kPi, 1e-15);
+  EXPECT_NEAR(range[1], 0.5 / kPi, 1e-15);
+  EXPECT_NEAR(map->GetOverallMean(), 0.5 / kPi, 1e-14);
+  EXPECT_EQ(map->SuggestIntervals(), 90);
+}
+
+TEST(Pipeline, ReaderTellsWhatTheFileHolds) {
+  const std::string file = std::string(BRDF_SHARED_DIR) + "/data/measured/garnet_red.brdf";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << "no measured data at " << file;
+  vtkNew<vtkBRDFReader> reader;
+  reader->SetFileName(file);
+  reader->Update();
+  ASSERT_EQ(reader->GetErrorText(), "");
+  EXPECT_EQ(reader->GetOutput()->GetChannelKind(), "spectral");
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfChannels(), 31);
+  EXPECT_EQ(reader->GetOutput()->GetWavelength(0), 400);
+  EXPECT_EQ(reader->GetOutput()->GetWavelength(30), 700);
+  EXPECT_EQ(reader->GetOutput()->GetFieldData()->GetArray("samples")->GetTuple1(0),
+            reader->GetOutput()->GetNumberOfSamples());
+}
+
+}  // namespace
+}  // namespace brdf
