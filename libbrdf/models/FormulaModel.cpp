@@ -49,6 +49,17 @@ std::array<const T*, static_cast<std::size_t>(Input::Count)> inputsOf(const Dire
   return {pairs.wi[0], pairs.wi[1], pairs.wi[2], pairs.wo[0], pairs.wo[1], pairs.wo[2], nullptr, nullptr};
 }
 
+/// `root` with both cosines at least 1e-14: nearer to the horizon a lobe keeps the value it has there, because squares
+/// and products of the cosines would leave the normal numbers of float (0/0 instead of a limit), and the peak of a sharp
+/// lobe over such a product its largest.
+NodeId awayFromTheHorizon(Graph& graph, NodeId root) {
+  for (const Input cosine : {Input::Uz, Input::Vz}) {
+    const NodeId input = graph.input(cosine);
+    root = graph.substitute(root, input, graph.make(Op::Max, input, graph.constant(1e-14)));
+  }
+  return root;
+}
+
 }  // namespace
 
 FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : where_(where) {
@@ -61,7 +72,6 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
   if (equation_.empty()) throw Error(Error::Kind::Format, {"missing <equation>", where, {}, {}});
   isotropic_ = flagAttribute(root, "isotropic", true, where);
   reciprocal_ = flagAttribute(root, "reciprocal", true, where);
-  constant_ = flagAttribute(root, "constant", false, where);
   constant_ = flagAttribute(root, "constant", false, where);
   clamp_ = flagAttribute(root, "clamp", false, where);
   legacyDialect_ = std::string_view(root.attribute("dialect").value()) == "BRDFLab082";
@@ -105,7 +115,7 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     options.bindings.clear();
     options.functions = &functionTable();
     if (clamp_) raw = graph.make(Op::Max, raw, zero);
-    made->value = graph.select(above, raw, zero);
+    made->value = graph.select(above, awayFromTheHorizon(graph, raw), zero);
     std::vector<std::uint32_t> all(parameters_.size());
     std::iota(all.begin(), all.end(), 0u);
     made->derivatives = formula::derivatives(graph, made->value, all);
@@ -131,7 +141,7 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     };
     const NodeId mixed = graph.add(graph.mul(graph.sub(graph.constant(1), share), own),
                                    graph.mul(share, cosineText(&Sampler::density, options).value));
-    made->density = graph.select(above, mixed, zero);
+    made->density = graph.select(above, awayFromTheHorizon(graph, mixed), zero);
     // The first random number chooses and, stretched, serves again.
     const NodeId random = graph.input(Input::Random1);
     const NodeId cosine = graph.make(Op::Less, random, share);

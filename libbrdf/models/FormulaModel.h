@@ -24,7 +24,7 @@ namespace brdf {
 ///     <reference .../>...
 ///   </model>
 ///
-/// clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use;
+/// Cosines below 1e-14 count as 1e-14. clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use;
 /// formula errors appear then, or at once through `compile`.
 class BRDF_EXPORT FormulaModel final : public Model {
  public:

@@ -1,0 +1,195 @@
+// The GLSL of every registered lobe (value, density, draw) against the processor in double at the same rounded inputs.
+#include "ProbeSupport.h"
+
+#include <brdf/base/Text.h>
+#include <brdf/models/Model.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ModelKit.h"
+
+namespace brdf {
+namespace {
+
+using test::PairSet;
+using test::ParameterSet;
+
+/// The model's parameters with every roughness set to `roughness` (exponents to 2/roughness^2, widths in tan^2 to its
+/// square), the others at their defaults; rounded to float, as shaders get them.
+ParameterSet withRoughness(const Model& model, double roughness) {
+  ParameterSet set{model.defaults(), "roughness " + formatNumber(roughness)};
+  for (std::size_t k = 0; k < set.values.size(); ++k) {
+    const Parameter& p = model.parameters()[k];
+    if (p.label.find("roughness") != std::string::npos) set.values[k] = roughness;
+    if (p.label.find("exponent") != std::string::npos && p.label.find("shadowing") == std::string::npos)
+      set.values[k] = 2 / (roughness * roughness);
+    if (p.label == "width") set.values[k] = roughness * roughness;
+    set.values[k] = static_cast<double>(static_cast<float>(set.values[k]));
+  }
+  return set;
+}
+
+/// The same with the roughness across the tangent three times that along it, where the model has one of its own.
+ParameterSet stretched(const Model& model, double roughness) {
+  ParameterSet set = withRoughness(model, roughness);
+  set.name += ", stretched";
+  for (std::size_t k = 0; k < set.values.size(); ++k)
+    if (!model.parameters()[k].follows.empty())
+      set.values[k] =
+          static_cast<float>(set.values[k] * (model.parameters()[k].label.find("exponent") == 0 ? 1.0 / 9 : 3.0));
+  return set;
+}
+
+std::string parameterArguments(const Model& model) {
+  std::string text;
+  for (std::size_t k = 0; k < model.parameters().size(); ++k) text += ", p" + std::to_string(k);
+  return text;
+}
+
+class EveryLobe : public test::GlslTest, public testing::WithParamInterface<std::string> {
+ protected:
+  ModelPointer model_ = findModel(GetParam());
+
+  std::string source() const { return Model::glslPrelude() + model_->glsl(); }
+
+  std::vector<vtkBRDFShaderProbe::Column> columns(std::size_t count, const ParameterSet& parameters) const {
+    std::vector<vtkBRDFShaderProbe::Column> result;
+    for (std::size_t k = 0; k < parameters.values.size(); ++k)
+      result.push_back({"p" + std::to_string(k), std::vector<float>(count, static_cast<float>(parameters.values[k]))});
+    return result;
+  }
+
+  /// Worst relative difference of the value and the density over the pairs.
+  void expectAgreement(const ParameterSet& parameters, const PairSet& set, double relative) {
+    const std::size_t count = set.size();
+    auto inputs = columns(count, parameters);
+    const DirectionPairBuffer<float> narrow = set.narrow();
+    const char* const names[] = {"ix", "iy", "iz", "ox", "oy", "oz"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inputs.push_back({names[axis], narrow.wi[axis]});
+      inputs.push_back({names[3 + axis], narrow.wo[axis]});
+    }
+    const std::string name = "brdf_" + model_->name(),
+                      arguments = "(vec3(ix, iy, iz), vec3(ox, oy, oz)" + parameterArguments(*model_) + ")";
+    const auto got = probe().Evaluate(source(), inputs, {name + arguments, name + "_pdf" + arguments});
+    std::vector<double> exact(count), density(count);
+    model_->evaluate(set.pairs.view(), parameters.values, exact.data());
+    model_->pdf(set.pairs.view(), parameters.values, density.data());
+    expectClose("value", parameters, set, got[0], exact, relative);
+    expectClose("density", parameters, set, got[1], density, relative);
+  }
+
+  /// Values below 1e-16 of the lobe's peak count as zero: a double has no digit of them left beside the peak, the
+  /// exponentials that make them have arguments above 37 and lose that many float roundings, and shaders flush
+  /// exp(-88) to 0 before a large factor can bring it back.
+  void expectClose(const char* what, const ParameterSet& parameters, const PairSet& set, const std::vector<float>& got,
+                   const std::vector<double>& exact, double relative) const {
+    const double zero = std::max(1e-36, 1e-16 * *std::max_element(exact.begin(), exact.end()));
+    double worst = 0;
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < got.size(); ++k) {
+      if (exact[k] < zero && got[k] < 2 * zero && got[k] >= 0) continue;
+      const double error = std::fabs(got[k] - exact[k]) / exact[k];
+      if (!(error <= worst)) worst = error, at = k;
+    }
+    const test::Conditioning* loose = test::illConditioned(*model_);
+    EXPECT_LE(worst, loose == nullptr ? relative : loose->relativeNarrow)
+        << what << " of " << test::text(*model_, parameters.values) << " (" << parameters.name << "), " << set.kinds[at]
+        << " " << test::text(set.wi(at), set.wo(at)) << ": " << got[at] << " instead of " << exact[at];
+    if (std::getenv("BRDF_AUDIT") != nullptr)
+      std::printf("%-24s %-8s %-28s worst relative %.2e at %s, value %g\n", model_->name().c_str(), what,
+                  parameters.name.c_str(), worst, set.kinds[at], exact[at]);
+  }
+};
+
+PairSet pairsOf(unsigned seed) { return test::makePairs(300, seed, false).rounded(); }
+
+TEST_P(EveryLobe, AgreesToFiveDigitsAtRoughnessATenthAndAbove) {
+  const PairSet set = pairsOf(31);
+  for (const double roughness : {0.1, 0.2, 0.5, 1.0}) {
+    expectAgreement(withRoughness(*model_, roughness), set, 1e-5);
+    expectAgreement(stretched(*model_, roughness * (roughness > 0.5 ? 0.5 : 1)), set, 1e-5);
+  }
+}
+
+TEST_P(EveryLobe, AgreesToFourDigitsAtRoughnessAHundredth) {
+  const PairSet set = pairsOf(32);
+  expectAgreement(withRoughness(*model_, 0.01), set, 1e-4);
+  expectAgreement(stretched(*model_, 0.01), set, 1e-4);
+}
+
+TEST_P(EveryLobe, IsFiniteAndNotNegativeAtItsSoftBounds) {
+  const PairSet set = pairsOf(33);
+  for (const ParameterSet& parameters : test::softSets(*model_, 2, 34)) {
+    auto inputs = columns(set.size(), parameters);
+    const DirectionPairBuffer<float> narrow = set.narrow();
+    const char* const names[] = {"ix", "iy", "iz", "ox", "oy", "oz"};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      inputs.push_back({names[axis], narrow.wi[axis]});
+      inputs.push_back({names[3 + axis], narrow.wo[axis]});
+    }
+    const std::string name = "brdf_" + model_->name(),
+                      arguments = "(vec3(ix, iy, iz), vec3(ox, oy, oz)" + parameterArguments(*model_) + ")";
+    const auto got = probe().Evaluate(source(), inputs, {name + arguments, name + "_pdf" + arguments});
+    for (const auto& column : got)
+      for (std::size_t k = 0; k < set.size(); ++k)
+        ASSERT_TRUE(column[k] >= 0 && std::isfinite(column[k]))
+            << test::text(*model_, parameters.values) << " " << test::text(set.wi(k), set.wo(k)) << ": " << column[k];
+  }
+}
+
+TEST_P(EveryLobe, DrawsTheSameDirections) {
+  constexpr std::size_t count = 4000;
+  std::mt19937_64 random(35);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (const double roughness : {0.01, 0.1, 0.5}) {
+    const ParameterSet parameters = withRoughness(*model_, roughness);
+    auto inputs = columns(count, parameters);
+    std::vector<float> wo[3], u[2];
+    std::vector<double> wideWo[3], wideU[2], wi[3];
+    for (std::size_t k = 0; k < count; ++k) {
+      const double grazing = kPi / 2 - radians(std::pow(10.0, 1 - 4 * uniform(random)));
+      const Direction v = k % 2 ? test::cosineDistributed(random) : fromSpherical(grazing, 6.28 * uniform(random));
+      for (std::size_t axis = 0; axis < 3; ++axis) wo[axis].push_back(static_cast<float>(v[axis]));
+      for (auto& numbers : u) numbers.push_back(std::min(uniform(random), 0x1.fffffep-1f));
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      wideWo[axis].assign(wo[axis].begin(), wo[axis].end()), wi[axis].resize(count);
+    for (std::size_t k = 0; k < 2; ++k) wideU[k].assign(u[k].begin(), u[k].end());
+    model_->sample({wideWo[0].data(), wideWo[1].data(), wideWo[2].data()}, {wideU[0].data(), wideU[1].data()},
+                   parameters.values, {wi[0].data(), wi[1].data(), wi[2].data()}, count);
+    for (std::size_t axis = 0; axis < 3; ++axis) inputs.push_back({std::string(1, "xyz"[axis]), wo[axis]});
+    inputs.push_back({"u", u[0]});
+    inputs.push_back({"v", u[1]});
+    const std::string call =
+        "brdf_" + model_->name() + "_sample(vec3(x, y, z), vec2(u, v)" + parameterArguments(*model_) + ")";
+    const auto got = probe().Evaluate(source(), inputs, {call + ".x", call + ".y", call + ".z"});
+    double worst = 0;
+    std::size_t at = 0, disagreeing = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool here = wi[2][k] > 0, there = got[2][k] > 0;
+      if (here != there) {
+        // Rounding may decide which side of the horizon a draw falls on, within a few float ulps.
+        ++disagreeing;
+        EXPECT_LT(std::max(wi[2][k], static_cast<double>(got[2][k])), 1e-5);
+        continue;
+      }
+      const double distance = std::hypot(got[0][k] - wi[0][k], got[1][k] - wi[1][k], got[2][k] - wi[2][k]);
+      if (!(distance <= worst)) worst = distance, at = k;
+    }
+    EXPECT_LE(worst, 1e-5) << test::text(*model_, parameters.values) << " from " << u[0][at] << ", " << u[1][at]
+                           << " at "
+                           << test::text({wi[0][at], wi[1][at], wi[2][at]}, {wo[0][at], wo[1][at], wo[2][at]});
+    EXPECT_LE(disagreeing, count / 100);
+    if (std::getenv("BRDF_AUDIT") != nullptr)
+      std::printf("%-24s draw     %-28s worst distance %.2e, %zu on the other side of the horizon\n",
+                  model_->name().c_str(), parameters.name.c_str(), worst, disagreeing);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Registry, EveryLobe, testing::ValuesIn(test::modelNames()),
+                         [](const auto& name) { return name.param; });
+
+}  // namespace
+}  // namespace brdf
