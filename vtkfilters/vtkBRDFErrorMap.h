@@ -45,8 +45,8 @@ public:
   ///@}
 
   ///@{
-  /** Intervals from 0 to 90 degrees along each axis, 1 to 1000; default 90. SuggestIntervals gives 9 for few scattered
-   * samples, so that enough of them meet in a point. */
+  /** Intervals from 0 to 90 degrees along each axis, 1 to 1000; default 90. SuggestIntervals gives 45 on a table's
+   * samples and 9 on few scattered ones, so that enough of them meet in a point. */
   vtkSetClampMacro(Intervals, int, 1, 1000);
   vtkGetMacro(Intervals, int);
   int SuggestIntervals();

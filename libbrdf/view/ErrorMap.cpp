@@ -129,13 +129,14 @@ double nodeAngle(std::size_t node, std::size_t intervals) {
   return static_cast<double>(node) * step;
 }
 
-/// Directions at each node. Two isotropic BRDFs need one azimuth, from 0 to pi; others both azimuths, whose
-/// numbers multiply to about `azimuths`.
-void addDirections(Accumulator& accumulator, const ErrorMapOptions& options, std::size_t intervals, bool isotropic) {
-  const std::size_t turns =
-      isotropic ? 1 : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(options.azimuths))));
-  const std::size_t differences = isotropic ? options.azimuths : (options.azimuths + turns - 1) / turns;
-  const double differenceRange = isotropic ? kPi : 2 * kPi;
+/// Directions at each node. Isotropic BRDFs need one azimuth, from 0 to pi, bilateral ones from 0 to 2 pi;
+/// anisotropic ones both azimuths, whose numbers multiply to about `azimuths`.
+void addDirections(Accumulator& accumulator, const ErrorMapOptions& options, std::size_t intervals, Symmetry symmetry) {
+  const std::size_t turns = symmetry != Symmetry::Anisotropic
+                                ? 1
+                                : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(options.azimuths))));
+  const std::size_t differences = turns == 1 ? options.azimuths : (options.azimuths + turns - 1) / turns;
+  const double differenceRange = symmetry == Symmetry::Isotropic ? kPi : 2 * kPi;
   DirectionPairBuffer<double> pairs;
   const auto flush = [&] {
     if (pairs.size() > 0) accumulator.add(pairs.view(), nullptr, nullptr, false);
@@ -205,7 +206,8 @@ ErrorAxes parseErrorAxes(std::string_view name) {
 
 std::size_t automaticIntervals(const Brdf& a, const Brdf& b, bool onSamples) {
   const SampleSet* samples = samplesOf(a, b, onSamples);
-  return samples && samples->count() <= kFewSamples ? 9 : 90;
+  if (!samples) return 90;
+  return samples->count() <= kFewSamples ? 9 : 45;
 }
 
 ErrorMap makeErrorMap(const Brdf& a, const Brdf& b, const ErrorMapOptions& options) {
@@ -227,8 +229,7 @@ ErrorMap makeErrorMap(const Brdf& a, const Brdf& b, const ErrorMapOptions& optio
     addSamples(accumulator, *samples, ofB);
     return accumulator.finish(std::string("at the samples of ") + (ofB ? "B" : "A"));
   }
-  addDirections(accumulator, options, intervals,
-                a.symmetry() == Symmetry::Isotropic && b.symmetry() == Symmetry::Isotropic);
+  addDirections(accumulator, options, intervals, std::max(a.symmetry(), b.symmetry()));
   return accumulator.finish("over " + std::to_string(options.azimuths) + " azimuths");
 }
 

@@ -53,7 +53,8 @@ struct ErrorMap {
   std::size_t nodes() const { return intervals + 1; }  ///< along each axis
 };
 
-/// 90, or 9 where the map is to be made on at most 100,000 samples: enough of them then meet in a node.
+/// 90 where the map chooses the directions. On samples 45, wider than the degree by which tables usually step (nodes of
+/// their own step would show a chequerboard), and 9 for at most 100,000 of them: enough then meet in a node.
 BRDF_EXPORT std::size_t automaticIntervals(const Brdf& a, const Brdf& b, bool onSamples);
 
 /// Compares `a` with `b`, which must have the same number of channels (see chooseChannels). Throws Error::Kind::Value.
