@@ -109,7 +109,7 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
   this->DrawFrame(state, 0, this->Pixels);
   if (this->EdgeSamples > 1)
   {
-    const std::vector<float> mask = this->FindEdges(renderer, window);
+    const std::vector<float> mask = this->FindEdges(renderer);
     if (std::find(mask.begin(), mask.end(), 1.0f) != mask.end())
     {
       this->DrawEdges(state, mask);
@@ -153,7 +153,7 @@ void vtkBRDFRadiancePass::DrawFrame(const vtkRenderState* state, int frame, std:
 }
 
 // 1 for the pixels of a frame just drawn next to a silhouette or a step in depth, else 0.
-std::vector<float> vtkBRDFRadiancePass::FindEdges(vtkRenderer* renderer, vtkOpenGLRenderWindow* vtkNotUsed(window))
+std::vector<float> vtkBRDFRadiancePass::FindEdges(vtkRenderer* renderer)
 {
   const int width = this->Size[0], height = this->Size[1];
   const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
@@ -208,6 +208,13 @@ void vtkBRDFRadiancePass::DrawEdges(const vtkRenderState* state, const std::vect
   vtkCamera* camera = renderer->GetActiveCamera();
   double center[2];
   camera->GetWindowCenter(center);
+  vtkNew<vtkTextureObject> texture;
+  texture->SetContext(window);
+  texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
+                           static_cast<unsigned int>(this->Size[1]),
+                           1,
+                           VTK_FLOAT,
+                           const_cast<float*>(mask.data())); // VTK's signature; it reads only
   std::vector<float> sum(this->Pixels.size(), 0.0f), pixels;
   renderer->PreserveDepthBufferOn();
   for (int sample = 0; sample < this->EdgeSamples; ++sample)
@@ -216,7 +223,7 @@ void vtkBRDFRadiancePass::DrawEdges(const vtkRenderState* state, const std::vect
     const double x = std::fmod(0.5 + 0.7548776662466927 * sample, 1) - 0.5;
     const double y = std::fmod(0.5 + 0.5698402909980532 * sample, 1) - 0.5;
     camera->SetWindowCenter(center[0] + 2 * x / this->Size[0], center[1] + 2 * y / this->Size[1]);
-    this->DrawMask(mask, window);
+    this->DrawMask(texture, window);
     this->DrawFrame(state, sample, pixels);
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
@@ -237,20 +244,13 @@ void vtkBRDFRadiancePass::DrawEdges(const vtkRenderState* state, const std::vect
   }
 }
 
-void vtkBRDFRadiancePass::DrawMask(const std::vector<float>& mask, vtkOpenGLRenderWindow* window)
+void vtkBRDFRadiancePass::DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow* window)
 {
   if (!this->MaskQuad)
   {
     this->MaskQuad = MakeQuad(window, "brdf_mask.frag.glsl");
   }
   window->GetShaderCache()->ReadyShaderProgram(this->MaskQuad->Program);
-  vtkNew<vtkTextureObject> texture;
-  texture->SetContext(window);
-  texture->Create2DFromRaw(static_cast<unsigned int>(this->Size[0]),
-                           static_cast<unsigned int>(this->Size[1]),
-                           1,
-                           VTK_FLOAT,
-                           const_cast<float*>(mask.data())); // VTK's signature; it reads only
   vtkOpenGLState* gl = window->GetState();
   this->Buffer->Bind();
   this->Buffer->StartNonOrtho(this->Size[0], this->Size[1]);
@@ -260,10 +260,10 @@ void vtkBRDFRadiancePass::DrawMask(const std::vector<float>& mask, vtkOpenGLRend
   gl->vtkglDepthMask(GL_TRUE);
   gl->vtkglDepthFunc(GL_ALWAYS);
   gl->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
-  texture->Activate();
-  this->MaskQuad->Program->SetUniformi("brdfMask", texture->GetTextureUnit());
+  mask->Activate();
+  this->MaskQuad->Program->SetUniformi("brdfMask", mask->GetTextureUnit());
   this->MaskQuad->Render();
-  texture->Deactivate();
+  mask->Deactivate();
   gl->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl->vtkglDepthFunc(GL_LEQUAL);
 }

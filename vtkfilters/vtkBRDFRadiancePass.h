@@ -14,6 +14,7 @@ class vtkOpenGLFramebufferObject;
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderState;
+class vtkTextureObject;
 
 // Draws the opaque props of a renderer into a framebuffer of four 32-bit floats, over an environment or a plain colour,
 // and keeps the result in memory. A window's own buffers have 8 bits. Pixels on silhouettes and creases are drawn again
@@ -51,8 +52,8 @@ private:
   void Draw(const vtkRenderState* state); // throws brdf::Error
   void DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels);
   void DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
-  void DrawMask(const std::vector<float>& mask, vtkOpenGLRenderWindow* window);
-  std::vector<float> FindEdges(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
+  void DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow* window);
+  std::vector<float> FindEdges(vtkRenderer* renderer);
   void DrawEdges(const vtkRenderState* state, const std::vector<float>& mask);
 
   vtkNew<vtkOpenGLFramebufferObject> Buffer;
