@@ -64,7 +64,7 @@ TEST_P(EverySampler, DrawsWhatItsDensitySays) {
       const auto density = [&](const DirectionPairs<double>& pairs, double* values) {
         model_->pdf(pairs, parameters.values, values);
       };
-      std::vector<double> expected = grid.integrate(density, 24);
+      std::vector<double> expected = grid.integrate(density, 32);
       double total = 0;
       for (double& share : expected) total += share, share *= count;
       std::vector<double> observed(HalfVectorGrid::kCells);
