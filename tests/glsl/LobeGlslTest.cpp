@@ -1,4 +1,5 @@
 // The GLSL of every registered lobe (value, density, draw) against the processor in double at the same rounded inputs.
+// BRDF_AUDIT=1 in the environment prints the worst of each case.
 #include "ProbeSupport.h"
 
 #include <brdf/base/Text.h>
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ModelKit.h"
 
@@ -15,29 +17,29 @@ namespace {
 using test::PairSet;
 using test::ParameterSet;
 
-/// The model's parameters with every roughness set to `roughness` (exponents to 2/roughness^2, widths in tan^2 to its
-/// square), the others at their defaults; rounded to float, as shaders get them.
-ParameterSet withRoughness(const Model& model, double roughness) {
-  ParameterSet set{model.defaults(), "roughness " + formatNumber(roughness)};
-  for (std::size_t k = 0; k < set.values.size(); ++k) {
-    const Parameter& p = model.parameters()[k];
-    if (p.label.find("roughness") != std::string::npos) set.values[k] = roughness;
-    if (p.label.find("exponent") != std::string::npos && p.label.find("shadowing") == std::string::npos)
-      set.values[k] = 2 / (roughness * roughness);
-    if (p.label == "width") set.values[k] = roughness * roughness;
-    set.values[k] = static_cast<double>(static_cast<float>(set.values[k]));
-  }
-  return set;
+/// Whether the parameter is a roughness, and how it follows from one: as it is, as exponent 2/r^2, as width r^2 in
+/// tan^2.
+enum class Sharpness { None, Roughness, Exponent, Width };
+Sharpness sharpness(const Parameter& p) {
+  if (p.label.find("roughness") != std::string::npos) return Sharpness::Roughness;
+  if (p.label.find("exponent") == 0 && p.scale == Parameter::Scale::Logarithmic) return Sharpness::Exponent;
+  return p.label == "width" ? Sharpness::Width : Sharpness::None;
 }
 
-/// The same with the roughness across the tangent three times that along it, where the model has one of its own.
-ParameterSet stretched(const Model& model, double roughness) {
-  ParameterSet set = withRoughness(model, roughness);
-  set.name += ", stretched";
-  for (std::size_t k = 0; k < set.values.size(); ++k)
-    if (!model.parameters()[k].follows.empty())
-      set.values[k] =
-          static_cast<float>(set.values[k] * (model.parameters()[k].label.find("exponent") == 0 ? 1.0 / 9 : 3.0));
+/// The model's parameters with every roughness set to `roughness` (`stretch` times that where a parameter follows
+/// another: across the tangent), the others at their defaults; inside the bounds, and rounded to float as shaders get
+/// them.
+ParameterSet withRoughness(const Model& model, double roughness, double stretch = 1) {
+  ParameterSet set{model.defaults(), "roughness " + formatNumber(roughness) + (stretch == 1 ? "" : ", stretched")};
+  for (std::size_t k = 0; k < set.values.size(); ++k) {
+    const Parameter& p = model.parameters()[k];
+    const double r = p.follows.empty() ? roughness : stretch * roughness;
+    const Sharpness kind = sharpness(p);
+    if (kind == Sharpness::Roughness) set.values[k] = r;
+    if (kind == Sharpness::Exponent) set.values[k] = 2 / (r * r);
+    if (kind == Sharpness::Width) set.values[k] = r * r;
+    set.values[k] = static_cast<double>(static_cast<float>(std::clamp(set.values[k], p.minimum, p.maximum)));
+  }
   return set;
 }
 
@@ -46,6 +48,10 @@ std::string parameterArguments(const Model& model) {
   for (std::size_t k = 0; k < model.parameters().size(); ++k) text += ", p" + std::to_string(k);
   return text;
 }
+
+/// Models whose sampler is sharper than the roughness set here: SGD draws at sqrt(0.1) of its width, He and Torrance's
+/// roughness is a height.
+const std::set<std::string> kSharperSamplers = {"SGD", "HeTorrance"};
 
 class EveryLobe : public test::GlslTest, public testing::WithParamInterface<std::string> {
  protected:
@@ -109,14 +115,14 @@ TEST_P(EveryLobe, AgreesToFiveDigitsAtRoughnessATenthAndAbove) {
   const PairSet set = pairsOf(31);
   for (const double roughness : {0.1, 0.2, 0.5, 1.0}) {
     expectAgreement(withRoughness(*model_, roughness), set, 1e-5);
-    expectAgreement(stretched(*model_, roughness * (roughness > 0.5 ? 0.5 : 1)), set, 1e-5);
+    expectAgreement(withRoughness(*model_, roughness, roughness > 0.5 ? 0.3 : 3), set, 1e-5);
   }
 }
 
 TEST_P(EveryLobe, AgreesToFourDigitsAtRoughnessAHundredth) {
   const PairSet set = pairsOf(32);
   expectAgreement(withRoughness(*model_, 0.01), set, 1e-4);
-  expectAgreement(stretched(*model_, 0.01), set, 1e-4);
+  expectAgreement(withRoughness(*model_, 0.01, 3), set, 1e-4);
 }
 
 TEST_P(EveryLobe, IsFiniteAndNotNegativeAtItsSoftBounds) {
@@ -178,9 +184,10 @@ TEST_P(EveryLobe, DrawsTheSameDirections) {
       const double distance = std::hypot(got[0][k] - wi[0][k], got[1][k] - wi[1][k], got[2][k] - wi[2][k]);
       if (!(distance <= worst)) worst = distance, at = k;
     }
-    EXPECT_LE(worst, 1e-5) << test::text(*model_, parameters.values) << " from " << u[0][at] << ", " << u[1][at]
-                           << " at "
-                           << test::text({wi[0][at], wi[1][at], wi[2][at]}, {wo[0][at], wo[1][at], wo[2][at]});
+    const bool sharp = roughness < 0.1 || kSharperSamplers.contains(model_->name());
+    EXPECT_LE(worst, sharp ? 1e-4 : 1e-5)
+        << test::text(*model_, parameters.values) << " from " << u[0][at] << ", " << u[1][at] << " at "
+        << test::text({wi[0][at], wi[1][at], wi[2][at]}, {wo[0][at], wo[1][at], wo[2][at]});
     EXPECT_LE(disagreeing, count / 100);
     if (std::getenv("BRDF_AUDIT") != nullptr)
       std::printf("%-24s draw     %-28s worst distance %.2e, %zu on the other side of the horizon\n",

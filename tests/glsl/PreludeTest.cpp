@@ -1,4 +1,5 @@
-// Every function of formula/prelude.glsl against 50-digit arithmetic over its range.
+// Every function of formula/prelude.glsl against 50-digit arithmetic over its range. BRDF_AUDIT=1 in the environment
+// prints the worst of each.
 #include "ProbeSupport.h"
 
 #include <brdf/formula/Extended.h>

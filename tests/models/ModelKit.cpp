@@ -150,6 +150,13 @@ const Conditioning* illConditioned(const Model& model) {
       // The shadowing term is 1 less a power of the angle of exponent 24 and more, clamped where it passes through
       // zero.
       {"SGD", {1e-12, 3e-3, true}},
+      // Powers of a cosine that passes through zero at right angles to the lobe: a difference of products there.
+      {"Phong", {1e-12, 1e-3, false}},
+      {"Neumann", {1e-12, 1e-3, false}},
+      {"Lafortune", {1e-12, 1e-3, false}},
+      {"LafortuneNgan", {1e-12, 1e-3, false}},
+      // Terms of both signs, which nearly cancel for rough surfaces at grazing.
+      {"OrenNayarFull", {1e-12, 3e-3, false}},
       // 1 less a tabulated albedo, which toward the horizon tends to 1: the difference loses its digits.
       {"GGXMultiscatter", {1e-8, 1e-3, false}},
   };

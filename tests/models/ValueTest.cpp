@@ -1,4 +1,5 @@
 // Values and derivatives of every registered model against 50-digit arithmetic from the same rounded inputs.
+// BRDF_AUDIT=1 in the environment prints the worst of each case.
 #include <brdf/base/Text.h>
 #include <brdf/formula/Extended.h>
 #include <brdf/models/FormulaModel.h>
