@@ -1,4 +1,6 @@
 #pragma once
+#include <brdf/check/Check.h>
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -64,6 +66,8 @@ struct PictureFunctions {
   void (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
   RenderResult (*render)(const RenderPicture&);
+  /// Throws Error::Kind::Device when there is no headless OpenGL. The runner is for one thread at a time.
+  GlslRunner (*shaderProbe)();
 };
 
 /// Loads the module on the first call. Throws Error::Kind::Device when it is not there.

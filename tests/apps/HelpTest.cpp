@@ -7,7 +7,7 @@
 namespace {
 
 const std::vector<std::string> kCommands = {"models",  "info", "eval",  "convert", "fit",
-                                            "compare", "lobe", "error", "render"};
+                                            "compare", "check", "lobe", "error", "render"};
 
 bool draws(const std::string& command) { return command == "lobe" || command == "error" || command == "render"; }
 
@@ -77,5 +77,6 @@ TEST_P(QuietCommand, PrintsNothing) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Help, Command, ::testing::ValuesIn(kCommands), commandName);
-INSTANTIATE_TEST_SUITE_P(Help, QuietCommand, ::testing::Values("models", "info", "eval", "convert", "fit", "compare"),
+INSTANTIATE_TEST_SUITE_P(Help, QuietCommand,
+                         ::testing::Values("models", "info", "eval", "convert", "fit", "compare", "check"),
                          commandName);

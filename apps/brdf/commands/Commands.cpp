@@ -3,8 +3,8 @@
 namespace brdf::app {
 
 std::span<Command> allCommands() {
-  static Command commands[] = {modelsCommand(),  infoCommand(), evalCommand(),  convertCommand(), fitCommand(),
-                               compareCommand(), lobeCommand(), errorCommand(), renderCommand()};
+  static Command commands[] = {modelsCommand(),  infoCommand(),  evalCommand(), convertCommand(), fitCommand(),
+                               compareCommand(), checkCommand(), lobeCommand(), errorCommand(),   renderCommand()};
   return commands;
 }
 

@@ -22,6 +22,7 @@ Command infoCommand();
 Command evalCommand();
 Command convertCommand();
 Command fitCommand();
+Command checkCommand();
 Command compareCommand();
 Command lobeCommand();
 Command errorCommand();
