@@ -44,14 +44,17 @@ inline Error::Details errorOf(const std::string& text, const std::vector<std::st
   return {};
 }
 
-/// |got - exact| in units of the last place of T at `exact` (subnormal spacing below the normal range). 0 when both are
-/// the same infinity or both NaN, infinite when only one of them is.
+/// |got - exact| in units of the last place of T at `exact` (that of the smallest normal number below it; float
+/// programs flush what is smaller to 0, so there any two such numbers agree). 0 when both are the same infinity or both
+/// NaN, infinite when only one of them is.
 template <class T>
 double ulpError(T got, double exact) {
   if (std::isnan(got) || std::isnan(exact)) return std::isnan(got) && std::isnan(exact) ? 0 : INFINITY;
   const T rounded = static_cast<T>(exact);
   if (got == rounded) return 0;
   if (std::isinf(got) || std::isinf(rounded)) return INFINITY;
+  constexpr T tiny = std::numeric_limits<T>::min();
+  if (sizeof(T) == sizeof(float) && std::fabs(got) <= tiny && std::fabs(rounded) <= tiny) return 0;
   const T size = std::max(std::fabs(rounded), std::numeric_limits<T>::min());
   const double ulp = static_cast<double>(std::nextafter(size, std::numeric_limits<T>::infinity()) - size);
   return std::fabs(static_cast<double>(got) - exact) / ulp;
