@@ -19,7 +19,7 @@ setup_packages
 setup_build brdf_app brdf_pictures
 
 brdf=$PWD/build/release/bin/brdf
-environment=$PWD/datasets/environments/venice.exr
+environment=$PWD/datasets/environments/studio.exr
 mkdir -p "$out"
 cd "$out"
 if [[ -z $measured ]]; then
@@ -32,8 +32,8 @@ container=$name-fit.vtkhdf
 
 echo "== What it is"
 "$brdf" info "$measured"
-echo "== The fit: a diffuse and two specular lobes, up to 80 degrees"
-"$brdf" fit "$measured" --lobes "Lambertian + GGX + GGX" --channels rgb --metric cuberoot --max-theta 80 \
+echo "== The fit: Lambertian and GGX, up to 80 degrees"
+"$brdf" fit "$measured" --lobes "Lambertian + GGX" --channels rgb --metric cuberoot --max-theta 80 \
   --out "$container" --report "$name-fit.txt" --json "$name-fit.json"
 echo "== Pictures"
 "$brdf" lobe "$measured" "$container" --theta-i 45 --transform cuberoot --out "$name-lobe.png"

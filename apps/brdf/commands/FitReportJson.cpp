@@ -54,11 +54,26 @@ std::string metricTable(const std::map<std::string, double>& metrics, const std:
   return table.text();
 }
 
+namespace {
+
+/// The lobe's name, and which one (from 1) where the material has several of that name, as in the report's notes.
+std::string lobeLabel(const FitReport& report, const FittedParameter& p) {
+  const auto& lobes = report.material->lobes();
+  std::size_t same = 0, number = 0;
+  for (std::size_t i = 0; i < lobes.size(); ++i) {
+    same += lobes[i].model->name() == p.lobe;
+    if (i == p.lobeIndex) number = same;
+  }
+  return same > 1 ? p.lobe + "#" + std::to_string(number) : p.lobe;
+}
+
+}  // namespace
+
 std::string fitReportText(const FitReport& report) {
   std::string text = report.material->description() + "\n\n";
   TextTable table({"  lobe", "parameter", "channel", "value", "std. error", "bounds", ""});
   for (const FittedParameter& p : report.parameters)
-    table.row({"  " + p.lobe, p.name, p.channel ? std::to_string(*p.channel) : "all", number(p.value),
+    table.row({"  " + lobeLabel(report, p), p.name, p.channel ? std::to_string(*p.channel) : "all", number(p.value),
                p.standardError ? formatNumber(*p.standardError, 2) : "-",
                number(p.minimum) + " to " + number(p.maximum),
                p.fixed     ? "held"

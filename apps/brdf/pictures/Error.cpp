@@ -39,8 +39,8 @@ ErrorResult drawError(const ErrorPicture& request) {
   vtkNew<vtkBRDFErrorMapView> view;
   view->SetInputData(0, pipelineMaterial(request.a));
   view->SetInputData(1, pipelineMaterial(request.b));
-  view->SetNameA(request.a);
-  view->SetNameB(request.b);
+  view->SetNameA(shortName(request.a));
+  view->SetNameB(shortName(request.b));
   vtkBRDFErrorMap* map = view->GetErrorMap();
   map->SetMeasure(request.measure);
   map->SetAxes(request.axes);

@@ -14,7 +14,7 @@ void drawLobe(const LobePicture& request) {
   for (const std::string& material : request.materials) {
     const auto data = pipelineMaterial(material);
     if (!first) first = data;
-    view->AddInputData(data, material);
+    view->AddInputData(data, shortName(material));
   }
   view->SetThetaI(request.thetaI);
   view->SetPhiI(request.phiI);

@@ -8,6 +8,7 @@
 #include <vtkBRDFView.h>
 
 #include <cstdlib>
+#include <filesystem>
 
 namespace brdf::app {
 namespace {
@@ -25,6 +26,11 @@ vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material) {
   auto data = vtkSmartPointer<vtkBRDF>::New();
   data->SetBrdf(loadMaterial(material).brdf);
   return data;
+}
+
+std::string shortName(const std::string& material) {
+  const std::filesystem::path path(material.substr(0, material.rfind('#')));
+  return std::filesystem::is_regular_file(path) ? std::filesystem::path(material).filename().string() : material;
 }
 
 void updateOrThrow(vtkBRDFAlgorithm* algorithm) {

@@ -22,6 +22,9 @@ GlslRunner shaderProbe();
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
 vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material);
 
+/// How a picture names a material: a file without its folder, anything else as it is.
+std::string shortName(const std::string& material);
+
 /// Updates a filter; throws brdf::Error with its reason when it fails.
 void updateOrThrow(vtkBRDFAlgorithm* algorithm);
 
