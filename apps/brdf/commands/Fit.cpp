@@ -7,6 +7,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
+#include <brdf/fit/LobeRequests.h>
 #include <brdf/fit/StoredFit.h>
 #include <brdf/io/Container.h>
 #include <brdf/io/LoadMaterial.h>
@@ -26,62 +27,16 @@ struct Values {
   FitOptions options;
 };
 
-/// The lobes of `text`: parameters written there are starting values, one number each.
-std::vector<LobeRequest> readLobes(const std::string& text) {
-  std::vector<LobeRequest> requests;
-  const auto sum = parseMaterialExpression(text);
-  for (const Lobe& lobe : sum->lobes()) {
-    const auto& parameters = lobe.model->parameters();
-    LobeRequest request;
-    request.model = lobe.model;
-    if (lobe.scale != std::vector<double>{1.0})
-      throw Error(Error::Kind::Usage, {"scale factors are fitted, not given", "--lobes", "'" + text + "'",
-                                       "lobes without factors, as in Lambertian + GGX(alpha=0.1)"});
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      if (lobe.parameters[k].size() != 1)
-        throw Error(Error::Kind::Usage, {"a starting value is one number", "--lobes", parameters[k].name,
-                                         "one number; --combination per-channel fits one a channel"});
-      if (lobe.parameters[k][0] != parameters[k].defaultValue)
-        request.start[parameters[k].name] = lobe.parameters[k][0];
-    }
-    requests.push_back(std::move(request));
+/// Runs `read`; an error names the option first.
+template <class Read>
+auto fromOption(const char* option, Read read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    details.where = details.where.empty() ? option : std::string(option) + ", " + details.where;
+    throw Error(error.kind(), std::move(details));
   }
-  return requests;
-}
-
-/// Applies "name=value" (every lobe that has it) or "Lobe.name=value".
-void holdParameter(std::vector<LobeRequest>& requests, const std::string& text) {
-  const std::size_t equals = text.find('=');
-  const auto value =
-      equals == std::string::npos ? std::nullopt : parseNumber(std::string_view(text).substr(equals + 1));
-  if (!value)
-    throw Error(Error::Kind::Usage,
-                {"malformed value", "--fix", "'" + text + "'", "name=number, say ior=1.5 or GGX.ior=1.5"});
-  std::string name(trimmed(std::string_view(text).substr(0, equals))), lobe;
-  if (const std::size_t dot = name.find('.'); dot != std::string::npos) {
-    lobe = name.substr(0, dot);
-    name = name.substr(dot + 1);
-  }
-  bool found = false;
-  std::vector<std::string> known;
-  for (LobeRequest& request : requests) {
-    const auto& parameters = request.model->parameters();
-    if (name == "scale" && (lobe.empty() || lobe == request.model->name())) {
-      if (*value < 0) throw Error(Error::Kind::Value, {"scale factor out of bounds", "--fix", text, "at least 0"});
-      request.fixed[name] = *value;
-      found = true;
-    }
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-      known.push_back(request.model->name() + "." + parameters[k].name);
-      if (parameters[k].name != name || (!lobe.empty() && lobe != request.model->name())) continue;
-      request.model->checkBounds(k, *value);
-      request.fixed[name] = *value;
-      found = true;
-    }
-  }
-  if (!found)
-    throw Error(Error::Kind::Value, {"no lobe has such a parameter", "--fix", "'" + text + "'",
-                                     known.empty() ? "nothing, these lobes have no parameters" : joined(known)});
 }
 
 /// One lobe more at a time, each fit starting from the one before.
@@ -116,8 +71,8 @@ void run(const Output& output, Values values) {
                      : values.strategy == "joint"   ? Strategy::Joint
                                                     : Strategy::Automatic;
   options.combination = values.combination == "shared" ? Combination::Shared : Combination::PerChannel;
-  auto requests = readLobes(values.lobes);
-  for (const std::string& text : values.fixed) holdParameter(requests, text);
+  auto requests = fromOption("--lobes", [&] { return parseLobeRequests(values.lobes); });
+  for (const std::string& text : values.fixed) fromOption("--fix", [&] { holdParameter(requests, text); });
   for (const std::string* path : {&values.out, &values.report}) checkWritable(*path);
 
   const LoadedMaterial target = loadMaterial(values.target);
