@@ -22,6 +22,7 @@ class BRDF_EXPORT Program {
   /// numbers.
   void run(const double* const* inputs, std::span<const double> parameters, double* const* outputs,
            std::size_t count) const;
+  /// The same in float. Results below the smallest normal float (1.2e-38) are flushed to 0.
   void run(const float* const* inputs, std::span<const double> parameters, float* const* outputs,
            std::size_t count) const;
 
