@@ -16,5 +16,6 @@ ctest --test-dir build/release -j"$(nproc)" --output-on-failure --no-tests=error
 count() { sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\".*/\1/p; s/.*<testsuite .*[[:space:]]$1=\"\([0-9]*\)\".*/\1/p" "$report" | head -n 1; }
 [[ -e $report ]] || setup_fail "no test ran"
 total=$(count tests) failed=$(count failures) skipped=$(($(count skipped) + $(count disabled)))
-echo "$total tests: $((total - failed - skipped)) passed, $failed failed, $skipped skipped in ${SECONDS} s, build included"
+echo "$total tests in $SECONDS s, build included:"
+echo "$((total - failed - skipped)) passed, $failed failed, $skipped skipped"
 exit "$status"

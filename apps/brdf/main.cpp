@@ -4,6 +4,7 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/models/Registry.h>
 
 #include <cstdio>
 #include <exception>
@@ -24,9 +25,24 @@ std::string overview() {
   text +=
       "A material is a file in any supported format (file#3 or file#name picks one of several), an expression such as\n"
       "\"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\", or preset:NAME.\n\n"
-      "Every command takes --json FILE (- for standard output) and --quiet. Angles are in degrees, values in 1/sr\n"
-      "without the cosine. Exit code: 0 success, 1 the request could not be met, 2 wrong usage.\n";
+      "Every command takes --json FILE (- for standard output), --quiet and --model-path DIR (lobes of your own). "
+      "Angles\n"
+      "are in degrees, values in 1/sr without the cosine. Exit code: 0 success, 1 the request could not be met, 2 "
+      "wrong usage.\n";
   return text;
+}
+
+/// Models of the user's own: those of the folders searched unasked, where a bad file costs a warning and no more, then
+/// those of --model-path, where it is an error.
+void loadUserModels(const std::vector<std::string>& folders) {
+  for (const auto& folder : brdf::userModelFolders()) {
+    try {
+      brdf::loadModelFolder(folder);
+    } catch (const brdf::Error& error) {
+      std::fprintf(stderr, "brdf: warning: models left out: %s\n", error.what());
+    }
+  }
+  for (const std::string& folder : folders) brdf::loadModelFolder(folder);
 }
 
 int run(const std::vector<std::string>& words) {
@@ -49,11 +65,15 @@ int run(const std::vector<std::string>& words) {
     command.declare(arguments);
     arguments.option("--json", output.jsonTarget, "FILE", "Write the report as JSON; - for standard output");
     arguments.flag("--quiet", output.quiet, "Print nothing but errors (and the JSON that was asked for)");
+    std::vector<std::string> modelFolders;
+    arguments.option("--model-path", modelFolders, "DIR",
+                     "Load the lobes that DIR/*.xml define (ours, or model files of BRDFLab 0.8.2)");
     if (!arguments.parse({words.begin() + 1, words.end()})) {
       std::fputs(arguments.help().c_str(), stdout);
       return kSuccess;
     }
     checkWritable(output.jsonTarget);
+    loadUserModels(modelFolders);
     handleInterrupts();
     command.run(output);
     return kSuccess;
