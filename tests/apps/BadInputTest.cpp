@@ -226,8 +226,9 @@ TEST_P(Refused, WithOneLineThatSaysWhatAndWhereAndNothingLeftBehind) {
 #endif
   const fs::path folder = scratchFolder();
   writeInputs(folder);
-  if (std::find(input.arguments.begin(), input.arguments.end(), "table.binary") != input.arguments.end())
+  if (std::find(input.arguments.begin(), input.arguments.end(), "table.binary") != input.arguments.end()) {
     ASSERT_EQ(runBrdf(folder, {"convert", "0.5*Lambertian", "table.binary"}).exitCode, 0);
+  }
   const auto before = filesIn(folder);
   const Outcome run = runBrdf(folder, input.arguments, input.environment);
   EXPECT_EQ(run.exitCode, input.exitCode) << run.err;

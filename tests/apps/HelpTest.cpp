@@ -6,10 +6,12 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models",  "info", "eval",  "convert", "fit",
-                                            "compare", "check", "lobe", "error", "render"};
+const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "fit",
+                                            "compare", "check", "lobe", "error",   "render"};
 
-bool draws(const std::string& command) { return command == "lobe" || command == "error" || command == "render"; }
+[[maybe_unused]] bool draws(const std::string& command) {
+  return command == "lobe" || command == "error" || command == "render";
+}
 
 class Command : public ::testing::TestWithParam<std::string> {};
 class QuietCommand : public ::testing::TestWithParam<std::string> {};

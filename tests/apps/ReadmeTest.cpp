@@ -22,7 +22,7 @@ std::vector<std::string> commandLines() {
   return lines;
 }
 
-bool draws(const std::string& line) {
+[[maybe_unused]] bool draws(const std::string& line) {
   return line.starts_with("brdf lobe ") || line.starts_with("brdf error ") || line.starts_with("brdf render ");
 }
 
