@@ -91,6 +91,7 @@ fetch() {
     return
   fi
   echo "$file: from $url"
+  command -v curl >/dev/null || fail "needs curl"
   curl --fail --location --silent --show-error --connect-timeout 20 --retry 3 --continue-at - \
     --output "$file.part" "$url" || fail "$name: download failed (no network, or no such material); run again to resume"
   if ! complete "$database" "$file.part"; then
@@ -121,7 +122,6 @@ if [ ${#arguments[@]} -lt 2 ]; then
   exit 2
 fi
 url_of "${arguments[0]}" name >/dev/null
-command -v curl >/dev/null || fail "needs curl"
 mkdir -p "$folder"
 for name in "${arguments[@]:1}"; do
   fetch "${arguments[0]}" "$name" "$folder"
