@@ -7,6 +7,7 @@
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
+#include <brdf/base/Text.h>
 #include <brdf/measured/Format.h>
 
 vtkStandardNewMacro(vtkBRDFReader);
@@ -42,7 +43,15 @@ vtkBRDFReader::~vtkBRDFReader() = default;
 
 int vtkBRDFReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
-  brdf::ReadResult result = brdf::readMeasured(this->FileName);
+  std::vector<std::string> items;
+  for (const std::string_view item : brdf::split(this->Assumptions, ' '))
+  {
+    if (!item.empty())
+    {
+      items.emplace_back(item);
+    }
+  }
+  brdf::ReadResult result = brdf::readMeasured(this->FileName, brdf::parseReadOptions(items));
   vtkBRDF* output = vtkBRDF::GetData(outputs);
   output->SetBrdf(std::move(result.brdf));
   vtkFieldData* fields = output->GetFieldData();
@@ -61,4 +70,5 @@ void vtkBRDFReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Assumptions: " << this->Assumptions << "\n";
 }

@@ -25,6 +25,15 @@ public:
   vtkGetMacro(FileName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * What the user says of the file, against what its format says: "KEY=VALUE" items separated by blanks, e.g.
+   * "quantity=brdf_cos angles=degrees". Empty: nothing. The keys are those of brdf/measured/ReadOptions.h.
+   */
+  vtkSetMacro(Assumptions, std::string);
+  vtkGetMacro(Assumptions, std::string);
+  ///@}
+
 protected:
   vtkBRDFReader();
   ~vtkBRDFReader() override;
@@ -35,5 +44,6 @@ private:
   void operator=(const vtkBRDFReader&) = delete;
 
   std::string FileName;
+  std::string Assumptions;
 };
 #endif

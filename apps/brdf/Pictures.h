@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/check/Check.h>
+#include <brdf/measured/ReadOptions.h>
 
 #include <array>
 #include <cstddef>
@@ -18,6 +19,7 @@ PictureSize sizeOption(const std::string& text);
 
 struct LobePicture {
   std::vector<std::string> materials;
+  ReadOptions assumptions;
   double thetaI = 45, phiI = 0;  ///< degrees
   std::string transform = "none";
   std::string channel = "luminance";
@@ -27,6 +29,7 @@ struct LobePicture {
 
 struct ErrorPicture {
   std::string a, b;
+  ReadOptions assumptions;
   std::string measure = "absolute";
   std::string axes = "theta_i,theta_o";
   std::string channel = "luminance";
@@ -47,6 +50,7 @@ struct Light {
 };
 struct RenderPicture {
   std::string material;
+  ReadOptions assumptions;
   std::string object = "sphere";
   std::vector<Light> lights;
   std::size_t samples = 64;

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Progress.h"
 #include "commands/Commands.h"
 
@@ -25,9 +26,9 @@ std::string overview() {
   text +=
       "A material is a file in any supported format (file#3 or file#name picks one of several), an expression such as\n"
       "\"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\", or preset:NAME.\n\n"
-      "Every command takes --json FILE (- for standard output), --quiet and --model-path DIR (lobes of your own). "
-      "Angles\n"
-      "are in degrees, values in 1/sr without the cosine. Exit code: 0 success, 1 the request could not be met, 2 "
+      "Every command takes --json FILE (- for standard output), --quiet, --model-path DIR (lobes of your own) and\n"
+      "--assume KEY=VALUE (what measured files mean, e.g. quantity=brdf_cos: see a command's --help). Angles are in\n"
+      "degrees, values in 1/sr without the cosine. Exit code: 0 success, 1 the request could not be met, 2 "
       "wrong usage.\n";
   return text;
 }
@@ -68,11 +69,14 @@ int run(const std::vector<std::string>& words) {
     std::vector<std::string> modelFolders;
     arguments.option("--model-path", modelFolders, "DIR",
                      "Load the lobes that DIR/*.xml define (ours, or model files of BRDFLab 0.8.2)");
+    std::vector<std::string> assumed;
+    arguments.option("--assume", assumed, "KEY=VALUE", assumptionsHelp());
     if (!arguments.parse({words.begin() + 1, words.end()})) {
       std::fputs(arguments.help().c_str(), stdout);
       return kSuccess;
     }
     checkWritable(output.jsonTarget);
+    setAssumptions(assumed);
     loadUserModels(modelFolders);
     handleInterrupts();
     command.run(output);

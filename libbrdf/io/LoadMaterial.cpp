@@ -43,7 +43,7 @@ LoadedMaterial loadExpression(std::string_view expression, std::string_view spec
   return loaded;
 }
 
-LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view which) {
+LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view which, const ReadOptions& options) {
   const Container container(path);
   if (container.entries().empty())
     throw Error(Error::Kind::Value, {"the container is empty", path.string(), "no entries", "at least one"});
@@ -52,6 +52,9 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
   const Container::Entry& entry = container.entries()[index];
   loaded.report.metadata["container"] = path.string();
   loaded.report.metadata["entry"] = std::to_string(index) + " (" + entry.name + ")";
+  if (!options.empty())
+    loaded.report.warnings.push_back("assumptions (" + joined(options.keys()) +
+                                     ") do not apply to a container: its entries keep those they were made with");
   if (which.empty() && container.entries().size() > 1)
     loaded.report.warnings.push_back("the container holds " + std::to_string(container.entries().size()) +
                                      " entries; this is the first (write " + path.string() + "#1 for the next)");
@@ -59,18 +62,18 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
 }
 
 /// `which` empty: the file's only, or first, BRDF.
-LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view which) {
-  if (Container::recognises(readFileHead(path, 16))) return loadContainer(path, which);
+LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view which, const ReadOptions& options) {
+  if (Container::recognises(readFileHead(path, 16))) return loadContainer(path, which, options);
   if (!which.empty() && which != "0")
     throw Error(Error::Kind::Value,
                 {"the file holds one BRDF", path.string(), "#" + std::string(which), "#0, or none"});
-  ReadResult result = readMeasured(path);
+  ReadResult result = readMeasured(path, options);
   return {std::move(result.brdf), "measured", std::move(result.report)};
 }
 
 }  // namespace
 
-LoadedMaterial loadMaterial(std::string_view spec) {
+LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options) {
   const std::string_view text = trimmed(spec);
   if (text.empty())
     throw Error(Error::Kind::Usage, {"no material given", {}, {}, "a file, an expression, or preset:NAME"});
@@ -81,13 +84,15 @@ LoadedMaterial loadMaterial(std::string_view spec) {
         {"citation", preset.citation}, {"conversion", preset.conversion}, {"measured", preset.measured}};
     return loaded;
   }
-  if (isFile(text)) return loadFile(std::filesystem::path(text), {});
+  if (isFile(text)) return loadFile(std::filesystem::path(text), {}, options);
   const std::size_t hash = text.rfind('#');
   if (hash != std::string_view::npos && hash + 1 < text.size()) {
     const std::string_view path = text.substr(0, hash);
-    if (isFile(path) || looksLikePath(path)) return loadFile(std::filesystem::path(path), text.substr(hash + 1));
+    if (isFile(path) || looksLikePath(path))
+      return loadFile(std::filesystem::path(path), text.substr(hash + 1), options);
   }
-  if (looksLikePath(text)) return loadFile(std::filesystem::path(text), {});  // says what is wrong with the file
+  if (looksLikePath(text))
+    return loadFile(std::filesystem::path(text), {}, options);  // says what is wrong with the file
   return loadExpression(text, text, "expression");
 }
 

@@ -21,6 +21,9 @@ struct LoadedMaterial {
 /// - else a material expression (material/LobeSum.h).
 /// An existing file wins over an expression. What looks like a path (has a '/', or ends with an extension) but is no
 /// file is Error::Kind::File "no such file". Throws the reader's or the expression's errors otherwise.
-BRDF_EXPORT LoadedMaterial loadMaterial(std::string_view spec);
+///
+/// `options` are what the user says of measured files; expressions and presets have no use for them, and the entries of
+/// a container keep what was assumed when they were made (a warning says so).
+BRDF_EXPORT LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options = {});
 
 }  // namespace brdf

@@ -45,9 +45,10 @@ int recognise(std::string_view head, std::uint64_t size) {
   }
 }
 
-ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
+ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   NumberReader numbers(withoutByteOrderMark(bytes), path);
   ReadReport report;
+  const bool inDegrees = choose(options, AngleUnit::Radians, "the format's definition", report) == AngleUnit::Degrees;
   ScatteredSamples samples;
   samples.channels = Channels::spectral(readWavelengths(numbers));
   const std::size_t channelCount = samples.channels.count();
@@ -60,6 +61,7 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
     for (double& value : angle) {
       value = numbers.next("an angle");
       if (!std::isfinite(value)) numbers.fail("an angle is not finite", formatNumber(value), "radians");
+      if (inDegrees) value = radians(value);
       largestAngle = std::max(largestAngle, std::abs(value));
     }
     pairs.push_back({fromSpherical(angle[0], angle[1]), fromSpherical(angle[2], angle[3])});
@@ -75,13 +77,11 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
     for (std::size_t channel = 0; channel < channelCount; ++channel)
       samples.values[channel * count + i] = records[i * channelCount + channel];
   }
-  if (largestAngle > 2 * kPi * (1 + 1e-6))
+  if (!inDegrees && largestAngle > 2 * kPi * (1 + 1e-6))
     report.warnings.push_back("angles up to " + formatNumber(largestAngle, 6) +
-                              ": this format has radians, the file looks like degrees");
-  report.assumptions = {"values are f_r in 1/sr without the cosine", "angles are radians, theta_i phi_i the light's",
-                        "the surface is isotropic: only the difference of the azimuths counts, and not its sign",
-                        "between samples: moving least squares over the nearest"};
-  return finishScattered(std::move(samples), path, std::move(report));
+                              ": this format has radians, the file looks like degrees (option angles=degrees)");
+  report.assumptions.push_back("between samples: moving least squares over the nearest");
+  return finishScattered(std::move(samples), path, std::move(report), options);
 }
 
 WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
@@ -124,7 +124,10 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
 }  // namespace
 
 Format cornellFormat() {
-  return {"cornell", "Cornell / pbrt-v2 scattered spectral text", ".brdf", recognise, read, write};
+  Format format{"cornell",         "Cornell / pbrt-v2 scattered spectral text", ".brdf", recognise, read, write,
+                scatteredOptions()};
+  format.takes.push_back("angles");
+  return format;
 }
 
 }  // namespace brdf

@@ -102,7 +102,7 @@ int recognise(std::string_view head, std::uint64_t) {
   return 0;
 }
 
-ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
+ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   Lines lines(withoutByteOrderMark(bytes), path);
   ReadReport report;
   ScatteredSamples samples;
@@ -160,10 +160,8 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
       samples.values[channel * count + i] = record[6 + channel];
   }
   if (scaled > 0) report.warnings.push_back(std::to_string(scaled) + " directions scaled to unit length");
-  report.assumptions = {"values are f_r in 1/sr without the cosine",
-                        samples.isotropic ? "the surface is isotropic" : "the surface is anisotropic",
-                        "between samples: moving least squares over the nearest"};
-  return finishScattered(std::move(samples), path, std::move(report));
+  report.assumptions.push_back("between samples: moving least squares over the nearest");
+  return finishScattered(std::move(samples), path, std::move(report), options);
 }
 
 WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
@@ -195,6 +193,8 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
 
 }  // namespace
 
-Format csvFormat() { return {"csv", "Comma-separated direction pairs and values", ".csv", recognise, read, write}; }
+Format csvFormat() {
+  return {"csv", "Comma-separated direction pairs and values", ".csv", recognise, read, write, scatteredOptions()};
+}
 
 }  // namespace brdf

@@ -69,10 +69,14 @@ const Format& findFormat(std::string_view name) {
   throw Error(Error::Kind::Value, {"unknown format", "format", std::string(name), joined(names())});
 }
 
-ReadResult readMeasured(const std::filesystem::path& path) {
+ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options) {
   const std::string bytes = readFile(path);
   const Format& format = recognise(bytes, path);
-  ReadResult result = format.read(bytes, path);
+  for (const std::string& key : options.keys())
+    if (std::find(format.takes.begin(), format.takes.end(), key) == format.takes.end())
+      throw Error(Error::Kind::Value, {"this assumption has no meaning for the format " + format.name, path.string(),
+                                       key, format.takes.empty() ? "none" : joined(format.takes)});
+  ReadResult result = format.read(bytes, path, options);
   result.report.format = format.name;
   result.report.source = path.string();
   return result;

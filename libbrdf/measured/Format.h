@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/material/Brdf.h>
+#include <brdf/measured/ReadOptions.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -45,11 +46,14 @@ struct Format {
   /// How sure the format is that `head` (the first kilobytes of a file of `size` bytes) is its own: 0 no, 100 certain
   /// (a magic number). The highest wins; extensions never decide.
   std::function<int(std::string_view head, std::uint64_t size)> recognise;
-  /// Reads the file's bytes. Throws Error::Kind::Format with offset or line. `path` is for messages only.
-  std::function<ReadResult(std::string_view bytes, const std::filesystem::path& path)> read;
+  /// Reads the file's bytes. Throws Error::Kind::Format with offset or line. `path` is for messages only. `options`
+  /// are those of `takes` alone: every one that is given is honoured, and recorded as an assumption (choose()).
+  std::function<ReadResult(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options)> read;
   /// Writes any BRDF, resampling where needed; null when the format is read-only. Writes to `path` as given (the caller
   /// passes AtomicFile's temporary).
   std::function<WriteReport(const Brdf& brdf, const std::filesystem::path& path)> write;
+  /// Keys of the read options that have a meaning for this format (readOptionKeys()); any other is refused.
+  std::vector<std::string> takes{};
 };
 
 /// All formats; ours first, then those registered from outside.
@@ -60,8 +64,8 @@ BRDF_EXPORT void registerFormat(Format format);
 BRDF_EXPORT const Format& findFormat(std::string_view name);
 
 /// Reads a measured file of any registered format, recognised by content. Throws Error::Kind::Format when no format
-/// recognises it.
-BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path);
+/// recognises it, and Error::Kind::Value for an option that the format does not take.
+BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`.
 BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path,

@@ -50,7 +50,7 @@ int recognise(std::string_view head, std::uint64_t size) {
   return header.count[0] <= plausible && header.count[1] <= plausible && header.count[2] <= plausible ? 40 : 0;
 }
 
-ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
+ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   const auto fail = [&](const char* what, std::string found, std::string allowed) {
     throw Error(Error::Kind::Format, {what, path.string() + ", offset 0", std::move(found), std::move(allowed)});
   };
@@ -77,6 +77,9 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
 
   ReadReport report;
   report.samples = cells;
+  const bool negativeIsInvalid =
+      choose(options, InvalidRule::Negative, "the database's marker is -1", report) != InvalidRule::NotFinite;
+  const bool zeroIsInvalid = options.invalid == InvalidRule::NotPositive;
   constexpr std::size_t grain = 65536;
   struct Counts {
     std::uint64_t negative = 0, notFinite = 0, belowHorizon = 0, invalid = 0;
@@ -85,24 +88,26 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
   const TableDirections directions(data.layout);
   parallelFor(cells, grain, [&](std::size_t first, std::size_t last) {
     const std::size_t length = last - first;
-    std::vector<std::uint8_t> negative(length, 0), notFinite(length, 0), above(length);
+    std::vector<std::uint8_t> negative(length, 0), zero(length, 0), notFinite(length, 0), above(length);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       double* values = data.values.data() + channel * cells + first;
       std::memcpy(values, bytes.data() + kHeaderBytes + 8 * (channel * cells + first), 8 * length);
       for (std::size_t i = 0; i < length; ++i) {
         values[i] *= kScale[channel];
         negative[i] |= values[i] < 0;
+        zero[i] |= values[i] == 0;
         notFinite[i] |= !(std::abs(values[i]) <= 1.7976931348623157e308);
       }
     }
     directions.aboveHorizon(first, length, above.data());
     Counts& sum = counts[first / grain];
     for (std::size_t i = 0; i < length; ++i) {
-      data.valid[first + i] = !(negative[i] | notFinite[i]);
+      const bool missing = (negative[i] && negativeIsInvalid) || (zero[i] && zeroIsInvalid) || notFinite[i];
+      data.valid[first + i] = !missing;
       sum.negative += negative[i];
       sum.notFinite += notFinite[i];
       sum.belowHorizon += !above[i];
-      sum.invalid += negative[i] | notFinite[i] | !above[i];
+      sum.invalid += missing || !above[i];
     }
   });
   for (const Counts& part : counts) {
@@ -113,13 +118,12 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path) {
   }
   if (report.notFinite > 0) report.warnings.push_back(std::to_string(report.notFinite) + " cells are not finite");
   if (report.invalid == cells) report.warnings.push_back("no cell is valid");
-  report.assumptions = {
+  const std::vector<std::string> conventions = {
       "values times 1/1500, 1.15/1500, 1.66/1500 are f_r in 1/sr without the cosine",
       "colours are linear sRGB (the database does not define them)",
-      "negative cells are invalid",
       data.layout.reciprocal ? "phi_d spans half a turn: reciprocity is assumed" : "phi_d spans a full turn",
-      "the surface is isotropic",
-      "between cells: trilinear, each value at the centre of its cell"};
+      "the surface is isotropic", "between cells: trilinear, each value at the centre of its cell"};
+  report.assumptions.insert(report.assumptions.end(), conventions.begin(), conventions.end());
   report.metadata["dimensions"] = header.text() + " (theta_h x theta_d x phi_d)";
   return {std::make_shared<TableBrdf>(std::move(data), path.filename().string()), std::move(report)};
 }
@@ -165,6 +169,6 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
 
 }  // namespace
 
-Format merlFormat() { return {"merl", "MERL BRDF database, binary", ".binary", recognise, read, write}; }
+Format merlFormat() { return {"merl", "MERL BRDF database, binary", ".binary", recognise, read, write, {"invalid"}}; }
 
 }  // namespace brdf

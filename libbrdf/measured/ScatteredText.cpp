@@ -70,27 +70,44 @@ void NumberReader::fail(std::string what, std::string found, std::string allowed
                                     std::move(found), std::move(allowed)});
 }
 
-ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report) {
+const std::vector<std::string>& scatteredOptions() {
+  static const std::vector<std::string> keys{"quantity", "incident", "symmetry", "invalid"};
+  return keys;
+}
+
+ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report,
+                           const ReadOptions& options, Quantity quantity, std::string_view evidence) {
   const std::size_t count = samples.pairs.size(), channelCount = samples.channels.count();
+  quantity = choose(options, quantity, evidence, report);
+  if (choose(options, Incident::AsStated, evidence, report) == Incident::Swapped)
+    std::swap(samples.pairs.wi, samples.pairs.wo);
+  const Symmetry stated = samples.isotropic ? Symmetry::Isotropic : Symmetry::Anisotropic;
+  samples.isotropic = choose(options, stated, evidence, report) == Symmetry::Isotropic;
+  const InvalidRule invalid = choose(options, InvalidRule::NotFinite, evidence, report);
   report.samples = count;
   samples.valid.assign(count, 1);
   for (std::size_t i = 0; i < count; ++i) {
-    bool finite = true, negative = false;
+    bool finite = true, negative = false, zero = false;
+    const double factor = toBrdfFactor(quantity, samples.pairs.wo[2][i]);
     for (std::size_t channel = 0; channel < channelCount; ++channel) {
-      const double value = samples.values[channel * count + i];
+      double& value = samples.values[channel * count + i];
       finite = finite && std::isfinite(value);
       negative = negative || value < 0;
+      zero = zero || value == 0;
+      if (quantity != Quantity::Brdf) value *= factor;
     }
+    const bool missing =
+        (negative && invalid != InvalidRule::NotFinite) || (zero && invalid == InvalidRule::NotPositive);
     // Two roundings of a right angle are not above the horizon.
     constexpr double horizon = 1e-15;
     const bool below = !(samples.pairs.wi[2][i] > horizon && samples.pairs.wo[2][i] > horizon);
     report.notFinite += !finite;
     report.negative += negative;
     report.belowHorizon += below;
-    samples.valid[i] = finite && !below;
+    samples.valid[i] = finite && !below && !missing;
     report.invalid += !samples.valid[i];
   }
-  if (report.negative > 0)
+  if (report.negative > 0 && invalid == InvalidRule::NotFinite)
     report.warnings.push_back(std::to_string(report.negative) +
                               " samples have a negative value, kept as noise about zero");
   if (report.invalid == count && count > 0) report.warnings.push_back("no sample is valid");

@@ -32,9 +32,15 @@ class NumberReader {
   std::size_t line_ = 1;
 };
 
-/// Makes the BRDF of samples just read and counts their defects. NaN, infinity and directions below the horizon make a
-/// sample invalid; negative values (noise about zero) are counted and kept.
-ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report);
+/// Keys of the read options that finishScattered honours; a format adds its own ("angles").
+const std::vector<std::string>& scatteredOptions();
+
+/// Makes the BRDF of samples just read, honours the options and counts the defects. NaN, infinity and directions below
+/// the horizon make a sample invalid; negative values are counted and, unless an option says otherwise, kept as noise
+/// about zero. `quantity` and `samples.isotropic` are what the format says, `evidence` why.
+ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report,
+                           const ReadOptions& options, Quantity quantity = Quantity::Brdf,
+                           std::string_view evidence = "the format's definition");
 
 /// The valid samples of `brdf` for a file of scattered samples: its own, or else a grid. What is lost goes to `report`.
 ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report);

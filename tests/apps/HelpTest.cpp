@@ -41,7 +41,7 @@ TEST_P(Command, HelpDocumentsTheCommonOptions) {
   const Outcome run = runBrdf(scratchFolder(), {GetParam(), "--help"});
   EXPECT_EQ(run.exitCode, 0);
   EXPECT_EQ(run.err, "");
-  for (const char* text : {"--help", "--json", "--quiet", "Example:"})
+  for (const char* text : {"--help", "--json", "--quiet", "--assume", "Example:"})
     EXPECT_NE(run.out.find(text), std::string::npos) << text;
 }
 

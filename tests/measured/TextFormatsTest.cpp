@@ -191,7 +191,7 @@ TEST(Formats, OutOfTreeFormatsJoinTheRegistry) {
   format.name = "outside";
   format.extension = ".outside";
   format.recognise = [](std::string_view head, std::uint64_t) { return head.starts_with("OUTSIDE") ? 100 : 0; };
-  format.read = [](std::string_view, const std::filesystem::path&) {
+  format.read = [](std::string_view, const std::filesystem::path&, const brdf::ReadOptions&) {
     return brdf::ReadResult{std::make_shared<measuredtest::FunctionBrdf>(measuredtest::glossy), {}};
   };
   brdf::registerFormat(format);

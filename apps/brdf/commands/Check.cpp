@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Pictures.h"
@@ -48,7 +49,7 @@ Subject subjectOf(const std::string& text) {
   for (const ModelPointer& model : allModels())
     if (model->name() == text) return {text, model, nullptr};
   if (isModelFile(text)) return {text, readModelFile(text), nullptr};
-  return {text, nullptr, loadMaterial(text).brdf};
+  return {text, nullptr, loadMaterial(text, assumptions()).brdf};
 }
 
 /// Runs GLSL, or says once why that is impossible.

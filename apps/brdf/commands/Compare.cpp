@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "FitReportJson.h"
 #include "Output.h"
@@ -29,8 +30,8 @@ Command compareCommand() {
           },
           [values](const Output& output) {
             const FitChannels channels = channelsOption(values->channels);
-            const BrdfPointer a = selectChannels(loadMaterial(values->a).brdf, channels);
-            const BrdfPointer b = selectChannels(loadMaterial(values->b).brdf, channels);
+            const BrdfPointer a = selectChannels(loadMaterial(values->a, assumptions()).brdf, channels);
+            const BrdfPointer b = selectChannels(loadMaterial(values->b, assumptions()).brdf, channels);
             const Comparison result = compare(*a, *b, values->maximumTheta);
             output.line("A  " + a->description() + "\nB  " + b->description() + "\n\n" +
                         metricTable(result.metrics, result.zeroModel) + "\n\n  " + std::to_string(result.samples) +

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "FitReportJson.h"
 #include "Output.h"
@@ -32,7 +33,7 @@ struct Values {
 
 void run(const Output& output, const Values& values) {
   checkWritable(values.out);
-  const LoadedMaterial loaded = loadMaterial(values.in);
+  const LoadedMaterial loaded = loadMaterial(values.in, assumptions());
   WriteReport written;
   const bool container = values.format == kContainer ||
                          (values.format.empty() && std::filesystem::path(values.out).extension() == ".vtkhdf");

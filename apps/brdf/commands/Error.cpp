@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Pictures.h"
@@ -34,6 +35,7 @@ Command errorCommand() {
       },
       [values](const Output& output) {
         ErrorPicture& request = values->request;
+        request.assumptions = assumptions();
         request.size = sizeOption(values->size);
         checkPictureOutputs(request.out, {".png", ".vti", ".exr"});
         const ErrorResult result = pictures().error(request);

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "DirectionTable.h"
 #include "Output.h"
@@ -120,7 +121,7 @@ void run(const Output& output, const Values& values) {
   if (values.directions.empty() != values.out.empty())
     throw Error(Error::Kind::Usage, {"--directions and --out go together", "brdf eval", "one of them", "both"});
   checkWritable(values.out);
-  const BrdfPointer brdf = loadMaterial(values.material).brdf;
+  const BrdfPointer brdf = loadMaterial(values.material, assumptions()).brdf;
   const auto evaluate = evaluatorFor(brdf, values.material, values.precision);
 
   Json report = {{"material", brdf->description()}, {"unit", "1/sr"}, {"precision", values.precision}};

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "FitReportJson.h"
 #include "Output.h"
@@ -75,7 +76,7 @@ void run(const Output& output, Values values) {
   for (const std::string& text : values.fixed) fromOption("--fix", [&] { holdParameter(requests, text); });
   for (const std::string* path : {&values.out, &values.report}) checkWritable(*path);
 
-  const LoadedMaterial target = loadMaterial(values.target);
+  const LoadedMaterial target = loadMaterial(values.target, assumptions());
   if (!target.brdf->samples())
     throw Error(Error::Kind::Value, {"nothing to fit: a formula has no samples", values.target, target.kind,
                                      "measured data, or a table that `brdf convert` makes"});

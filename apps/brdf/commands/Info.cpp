@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Quadrature.h"
@@ -78,7 +79,7 @@ void addReadReport(const ReadReport& report, bool data, TextTable& table, Json& 
 }
 
 void run(const Output& output, const std::string& material) {
-  const LoadedMaterial loaded = loadMaterial(material);
+  const LoadedMaterial loaded = loadMaterial(material, assumptions());
   const Brdf& brdf = *loaded.brdf;
   // Interpolated data cost thousands of times more than a formula, and are not known to four digits.
   const std::size_t points = brdf.samples() ? 1024 : 8192;

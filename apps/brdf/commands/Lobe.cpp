@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Pictures.h"
@@ -13,6 +14,7 @@ namespace brdf::app {
 namespace {
 
 void run(const Output& output, LobePicture request, const std::string& size) {
+  request.assumptions = assumptions();
   request.size = sizeOption(size);
   checkPictureOutputs(request.out, {".png", ".vtp"});
   const bool mesh =

@@ -1,4 +1,5 @@
 #include "Arguments.h"
+#include "Assumptions.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Pictures.h"
@@ -25,6 +26,7 @@ Light lightOption(const std::string& text) {
 }
 
 void run(const Output& output, RenderPicture request, const std::vector<std::string>& lights, const std::string& size) {
+  request.assumptions = assumptions();
   request.size = sizeOption(size);
   for (const std::string& light : lights) request.lights.push_back(lightOption(light));
   checkPictureOutputs(request.out, {".png", ".exr"});

@@ -37,8 +37,8 @@ Image errorImage(vtkImageData* map) {
 
 ErrorResult drawError(const ErrorPicture& request) {
   vtkNew<vtkBRDFErrorMapView> view;
-  view->SetInputData(0, pipelineMaterial(request.a));
-  view->SetInputData(1, pipelineMaterial(request.b));
+  view->SetInputData(0, pipelineMaterial(request.a, request.assumptions));
+  view->SetInputData(1, pipelineMaterial(request.b, request.assumptions));
   view->SetNameA(shortName(request.a));
   view->SetNameB(shortName(request.b));
   vtkBRDFErrorMap* map = view->GetErrorMap();

@@ -12,7 +12,7 @@ void drawLobe(const LobePicture& request) {
   vtkNew<vtkBRDFLobeView> view;
   vtkSmartPointer<vtkBRDF> first;
   for (const std::string& material : request.materials) {
-    const auto data = pipelineMaterial(material);
+    const auto data = pipelineMaterial(material, request.assumptions);
     if (!first) first = data;
     view->AddInputData(data, shortName(material));
   }

@@ -22,9 +22,9 @@ const bool silenced = [] {
 
 }  // namespace
 
-vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material) {
+vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material, const ReadOptions& assumptions) {
   auto data = vtkSmartPointer<vtkBRDF>::New();
-  data->SetBrdf(loadMaterial(material).brdf);
+  data->SetBrdf(loadMaterial(material, assumptions).brdf);
   return data;
 }
 
@@ -46,6 +46,5 @@ void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& pa
 
 }  // namespace brdf::app
 
-extern "C" __attribute__((visibility("default")))
-const brdf::app::PictureFunctions brdfPictures = {brdf::app::drawLobe, brdf::app::drawError, brdf::app::drawRender,
-                                                 brdf::app::shaderProbe};
+extern "C" __attribute__((visibility("default"))) const brdf::app::PictureFunctions brdfPictures = {
+    brdf::app::drawLobe, brdf::app::drawError, brdf::app::drawRender, brdf::app::shaderProbe};

@@ -20,7 +20,7 @@ RenderResult drawRender(const RenderPicture& request);
 GlslRunner shaderProbe();
 
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
-vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material);
+vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material, const ReadOptions& assumptions);
 
 /// How a picture names a material: a file without its folder, anything else as it is.
 std::string shortName(const std::string& material);

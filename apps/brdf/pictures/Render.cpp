@@ -103,7 +103,7 @@ double meanOf(vtkImageData* image) {
 
 RenderResult drawRender(const RenderPicture& request) {
   vtkNew<vtkBRDFRender> render;
-  render->SetInputDataObject(0, pipelineMaterial(request.material));
+  render->SetInputDataObject(0, pipelineMaterial(request.material, request.assumptions));
   if (const auto object = readObject(request.object)) render->SetInputDataObject(1, object);
   for (const Light& light : request.lights) addLight(render, light, request.rotation);
   render->SetSize(static_cast<int>(request.size.width), static_cast<int>(request.size.height));
