@@ -93,7 +93,7 @@ void LobeSum::chooseSamplingWeights() {
     const std::size_t shapes = lobe.channelIndependent() ? 1 : channelCount;
     double total = 0;
     for (std::size_t shape = 0; shape < shapes; ++shape) {
-      Component component{l, lobe.parametersOf(shape), 0};
+      Component component{l, shape, lobe.parametersOf(shape), 0};
       double scale = lobe.scaleOf(shape);
       if (shapes == 1) {
         scale = 0;

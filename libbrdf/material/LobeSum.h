@@ -46,13 +46,17 @@ class BRDF_EXPORT LobeSum : public Brdf {
   /// Share of samples that each lobe gets: its estimated directional albedo at 45 degrees, averaged over channels.
   const std::vector<double>& samplingWeights() const { return samplingWeights_; }
 
- private:
   /// One way to draw a direction: a lobe with one channel's parameters, and the share of draws it gets.
   struct Component {
     std::size_t lobe;
+    std::size_t channel;  ///< whose parameters these are; 0 where the channels share them
     std::vector<double> parameters;
     double weight;
   };
+  /// The mixture that `sample` draws from, in its order; the weights sum to 1.
+  const std::vector<Component>& components() const { return components_; }
+
+ private:
   template <class T>
   void evaluateBlocks(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const;
   void chooseSamplingWeights();

@@ -21,6 +21,7 @@ Command modelsCommand();
 Command infoCommand();
 Command evalCommand();
 Command convertCommand();
+Command exportCommand();
 Command fitCommand();
 Command checkCommand();
 Command compareCommand();

@@ -1,0 +1,201 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/color/Colorimetry.h>
+#include <brdf/exports/Approximation.h>
+#include <brdf/fit/FitData.h>
+#include <brdf/fit/LobeRequests.h>
+#include <brdf/geometry/Directions.h>
+#include <brdf/material/ChannelView.h>
+#include <brdf/material/SampleSet.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace brdf {
+namespace {
+
+constexpr std::size_t kThetaH = 48, kThetaD = 24, kPhiD = 24;
+constexpr std::size_t kBlock = 4096;
+/// A lobe whose largest scale factor is below this part of the sum of all lobes' is left out.
+constexpr double kNothing = 1e-9;
+
+class ExportPairs : public SampleSet {
+ public:
+  explicit ExportPairs(BrdfPointer source) : source_(std::move(source)) {}
+  std::size_t count() const override { return kThetaH * kThetaD * kPhiD; }
+  const Channels& channels() const override { return source_->channels(); }
+  void read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs, double* values,
+            std::uint8_t* valid) const override {
+    DirectionPairBuffer<double> made(length);
+    const auto middle = [](std::size_t index, std::size_t n) {
+      return (static_cast<double>(index) + 0.5) / static_cast<double>(n);
+    };
+    std::vector<std::uint8_t> above(length);
+    for (std::size_t k = 0; k < length; ++k) {
+      const std::size_t i = first + k;
+      const double t = middle(i / (kThetaD * kPhiD), kThetaH);
+      HalfDifference angles;
+      angles.thetaH = kPi / 2 * t * t * t * t;
+      angles.thetaD = kPi / 2 * middle(i / kPhiD % kThetaD, kThetaD);
+      angles.phiD = 2 * kPi * middle(i % kPhiD, kPhiD) - kPi;
+      angles.phiH = std::remainder(static_cast<double>(i) * kPi * (3 - std::sqrt(5.0)), 2 * kPi);
+      const DirectionPair pair = fromHalfDifference(angles);
+      made.set(k, pair.wi, pair.wo);
+      above[k] = pair.wi[2] > 0 && pair.wo[2] > 0;
+    }
+    if (values) {
+      std::vector<std::uint8_t> known(length);
+      source_->evaluate(made.view(), values, known.data());
+      for (std::size_t k = 0; k < length; ++k) above[k] = above[k] && known[k];
+    }
+    if (valid) std::ranges::copy(above, valid);
+    if (pairs) *pairs = std::move(made);
+  }
+
+ private:
+  BrdfPointer source_;
+};
+
+/// A BRDF with samples of its own values.
+class Sampled : public Brdf {
+ public:
+  explicit Sampled(BrdfPointer source) : source_(std::move(source)), samples_(source_) {}
+  const Channels& channels() const override { return source_->channels(); }
+  Symmetry symmetry() const override { return source_->symmetry(); }
+  bool reciprocal() const override { return source_->reciprocal(); }
+  std::string description() const override { return source_->description(); }
+  void evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const override {
+    source_->evaluate(pairs, values, valid);
+  }
+  using Brdf::evaluate;
+  const SampleSet* samples() const override { return &samples_; }
+
+ private:
+  BrdfPointer source_;
+  ExportPairs samples_;
+};
+
+std::shared_ptr<const LobeSum> withoutNothing(const LobeSum& sum) {
+  double total = 0;
+  for (const Lobe& lobe : sum.lobes()) total += largestScale(lobe);
+  std::vector<Lobe> kept;
+  for (const Lobe& lobe : sum.lobes())
+    if (largestScale(lobe) > kNothing * total) kept.push_back(lobe);
+  if (kept.empty()) kept.push_back(sum.lobes().front());
+  return std::make_shared<LobeSum>(std::move(kept), sum.channels());
+}
+
+std::vector<LobeRequest> requestsFor(std::string_view lobes, const std::vector<std::string>& hold) {
+  std::vector<LobeRequest> requests = parseLobeRequests(lobes);
+  for (const std::string& item : hold) holdParameter(requests, item);
+  return requests;
+}
+
+}  // namespace
+
+BrdfPointer sampledForExport(BrdfPointer material) {
+  if (material->samples()) return material;
+  return std::make_shared<Sampled>(std::move(material));
+}
+
+std::shared_ptr<const LobeSum> spectralAsRgb(const LobeSum& material) {
+  const std::vector<double> weights = rgbWeights(material.channels().wavelengths);
+  const std::size_t count = material.channels().count();
+  std::vector<Lobe> lobes = material.lobes();
+  for (Lobe& lobe : lobes) {
+    if (!lobe.channelIndependent()) return nullptr;
+    std::vector<double> rgb(3, 0.0);
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t c = 0; c < count; ++c) rgb[row] += weights[row * count + c] * lobe.scaleOf(c);
+    if (std::ranges::any_of(rgb, [](double s) { return s < 0; })) return nullptr;
+    lobe.scale = lobe.scale.size() == 1 ? lobe.scale : rgb;
+  }
+  return std::make_shared<LobeSum>(std::move(lobes), Channels::rgb());
+}
+
+std::shared_ptr<const LobeSum> fitLobes(const Brdf& target, std::string_view lobes, const FitOptions& options,
+                                        const std::vector<std::string>& hold) {
+  return withoutNothing(*fit(target, requestsFor(lobes, hold), options).material);
+}
+
+std::shared_ptr<const LobeSum> fitColours(const Brdf& target, std::string_view lobes, const FitOptions& options,
+                                          const std::vector<std::string>& colours,
+                                          const std::vector<std::string>& hold) {
+  if (target.channels().count() == 1) return fitLobes(target, lobes, options, hold);
+  FitOptions grey = options;
+  grey.channels.kind = FitChannels::Kind::Luminance;
+  const FitReport first = fit(target, requestsFor(lobes, hold), grey);
+  std::vector<LobeRequest> requests = requestsFor(lobes, hold);
+  for (std::size_t l = 0; l < requests.size(); ++l) {
+    const Model& model = *requests[l].model;
+    for (std::size_t p = 0; p < model.parameters().size(); ++p) {
+      const std::string& name = model.parameters()[p].name;
+      const double value = first.material->lobes()[l].parametersOf(0)[p];
+      const bool colour = std::ranges::find(colours, model.name() + "." + name) != colours.end();
+      (colour ? requests[l].start : requests[l].fixed).try_emplace(name, value);
+    }
+  }
+  FitOptions each = options;
+  each.combination = Combination::PerChannel;
+  return withoutNothing(*fit(target, requests, each).material);
+}
+
+std::shared_ptr<const LobeSum> nearest(const Brdf& target, const FitOptions& options,
+                                       const std::vector<std::shared_ptr<const LobeSum>>& candidates) {
+  std::shared_ptr<const LobeSum> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& candidate : candidates) {
+    if (!candidate) continue;
+    const double error = compare(*candidate, target, options.maximumTheta).metrics.at(options.metric);
+    if (!best || error < least) best = candidate, least = error;
+  }
+  return best;
+}
+
+ExportError exportError(const LobeSum& evaluated, const Brdf& material, double maximumTheta) {
+  ExportError error;
+  error.comparison = compare(evaluated, material, maximumTheta);
+  const BrdfPointer sampled = sampledForExport(BrdfPointer(BrdfPointer(), &material));
+  const SampleSet& samples = *sampled->samples();
+  const std::size_t channels = evaluated.channels().count();
+  const double minimum = minimumCosine(maximumTheta);
+  for (std::size_t first = 0; first < samples.count(); first += kBlock) {
+    const std::size_t length = std::min(kBlock, samples.count() - first);
+    DirectionPairBuffer<double> pairs;
+    std::vector<double> wanted(channels * length), got(channels * length);
+    std::vector<std::uint8_t> valid(length);
+    samples.read(first, length, &pairs, wanted.data(), valid.data());
+    evaluated.evaluate(pairs.view(), got.data(), nullptr);
+    for (std::size_t k = 0; k < length; ++k) {
+      if (!valid[k] || pairs.wi[2][k] < minimum || pairs.wo[2][k] < minimum) continue;
+      for (std::size_t c = 0; c < channels; ++c) {
+        const double a = got[c * length + k], b = wanted[c * length + k];
+        if (std::abs(a - b) <= error.worstDifference) continue;
+        error.worstDifference = std::abs(a - b);
+        error.worstEvaluated = a;
+        error.worstMaterial = b;
+        error.wi = {pairs.wi[0][k], pairs.wi[1][k], pairs.wi[2][k]};
+        error.wo = {pairs.wo[0][k], pairs.wo[1][k], pairs.wo[2][k]};
+      }
+    }
+  }
+  return error;
+}
+
+double parameterOf(const Lobe& lobe, std::string_view name, std::size_t channel) {
+  const std::vector<double>& values = lobe.parameters[lobe.model->parameterIndex(name)];
+  return values.size() == 1 ? values[0] : values[channel];
+}
+
+bool sameInAllChannels(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [&](double v) { return v == values[0]; });
+}
+
+double largestScale(const Lobe& lobe) { return *std::ranges::max_element(lobe.scale); }
+
+double meanScale(const Lobe& lobe) {
+  return std::accumulate(lobe.scale.begin(), lobe.scale.end(), 0.0) / static_cast<double>(lobe.scale.size());
+}
+
+}  // namespace brdf
