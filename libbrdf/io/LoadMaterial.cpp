@@ -68,7 +68,7 @@ LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view whic
     throw Error(Error::Kind::Value,
                 {"the file holds one BRDF", path.string(), "#" + std::string(which), "#0, or none"});
   ReadResult result = readMeasured(path, options);
-  return {std::move(result.brdf), "measured", std::move(result.report)};
+  return {std::move(result.brdf), "measured", std::move(result.report), std::move(result.components)};
 }
 
 }  // namespace

@@ -10,8 +10,9 @@ namespace brdf {
 
 struct LoadedMaterial {
   BrdfPointer brdf;
-  std::string kind;   ///< "expression", "preset", "measured" or "container"
-  ReadReport report;  ///< of a file: what its reader noticed; else format and source only
+  std::string kind;         ///< "expression", "preset", "measured" or "container"
+  ReadReport report;        ///< of a file: what its reader noticed; else format and source only
+  Components components{};  ///< of measured files and containers: what the material has besides `brdf`
 };
 
 /// The material that `spec` means, written the same way everywhere:

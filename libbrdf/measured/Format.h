@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/material/Brdf.h>
+#include <brdf/material/Components.h>
 #include <brdf/measured/ReadOptions.h>
 
 #include <cstdint>
@@ -29,8 +30,10 @@ struct ReadReport {
 };
 
 struct ReadResult {
+  /// The front reflection; where the file has none, its first component, and a warning says which.
   BrdfPointer brdf;
   ReadReport report;
+  Components components{};  ///< what the file has besides
 };
 
 /// What a writer lost.
