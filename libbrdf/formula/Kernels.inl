@@ -66,7 +66,7 @@ inline typename Simd<T>::V apply(typename Simd<T>::V a, typename Simd<T>::V b, t
   else if constexpr (op == Op::Mul)
     return a * b;
   else if constexpr (op == Op::Div)
-    return a / b;
+    return S::divide(a, b);
   else if constexpr (op == Op::Pow)
     return S::pow(a, b);
   else if constexpr (op == Op::Min)

@@ -228,7 +228,18 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
   const std::size_t whole = count / lanes * lanes;
   if (whole > 0) {
     resolve(inputs, outputs);
-    for (std::size_t first = 0; first < whole; first += lanes) runBlock(first);
+    // Long arrays come from memory: the next block's lines are asked for while this one computes.
+    constexpr std::size_t line = 64 / sizeof(T);
+    for (std::size_t first = 0; first < whole; first += lanes) {
+      if (first + 2 * lanes <= whole) {
+        for (std::size_t k = 0; k < inputCount; ++k)
+          if (reads_[k])
+            for (std::size_t i = first + lanes; i < first + 2 * lanes; i += line) __builtin_prefetch(inputs[k] + i);
+        for (std::size_t k = 0; k < outputCount_; ++k)
+          for (std::size_t i = first + lanes; i < first + 2 * lanes; i += line) __builtin_prefetch(outputs[k] + i, 1);
+      }
+      runBlock(first);
+    }
   }
   if (whole == count) return;
 

@@ -1,9 +1,11 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/formula/Program.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 
 #include <algorithm>
+#include <mutex>
 #include <numeric>
 
 namespace brdf {
@@ -60,7 +62,7 @@ std::vector<double> Lobe::parametersOf(std::size_t channel) const {
 }
 
 LobeSum::LobeSum(std::vector<Lobe> lobes, Channels channels)
-    : lobes_(std::move(lobes)), channels_(std::move(channels)) {
+    : lobes_(std::move(lobes)), channels_(std::move(channels)), lazy_(std::make_shared<Lazy>()) {
   const std::size_t count = channels_.count();
   const auto checkLength = [&](std::size_t length, const std::string& where) {
     if (length != 1 && length != count)
@@ -149,36 +151,45 @@ std::string LobeSum::description() const {
   return text;
 }
 
-template <class T>
-void LobeSum::evaluateBlocks(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const {
-  const std::size_t channelCount = channels_.count();
-  T lobeValues[kBlock];
-  for (std::size_t first = 0; first < pairs.count; first += kBlock) {
-    const std::size_t length = std::min(kBlock, pairs.count - first);
-    const DirectionPairs<T> block = pairs.slice(first, length);
-    for (std::size_t l = 0; l < lobes_.size(); ++l) {
-      const Lobe& lobe = lobes_[l];
-      const bool shared = lobe.channelIndependent();
-      for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        if (channel == 0 || !shared) lobe.model->evaluate(block, lobe.parametersOf(channel), lobeValues);
-        const T scale = static_cast<T>(lobe.scaleOf(channel));
-        T* out = values + channel * pairs.count + first;
-        if (l == 0)
-          for (std::size_t i = 0; i < length; ++i) out[i] = scale * lobeValues[i];
-        else
-          for (std::size_t i = 0; i < length; ++i) out[i] += scale * lobeValues[i];
+struct LobeSum::Lazy {
+  std::once_flag once;
+  std::unique_ptr<const formula::Program> program;
+};
+
+const formula::Program& LobeSum::program() const {
+  std::call_once(lazy_->once, [this] {
+    formula::Graph graph;
+    std::vector<formula::NodeId> sums(channels_.count(), graph.constant(0));
+    for (const Lobe& lobe : lobes_) {
+      formula::NodeId value = 0;
+      for (std::size_t channel = 0; channel < sums.size(); ++channel) {
+        if (channel == 0 || !lobe.channelIndependent())
+          value = lobe.model->buildValue(graph, lobe.parametersOf(channel));
+        sums[channel] = graph.add(sums[channel], graph.mul(graph.constant(lobe.scaleOf(channel)), value));
       }
     }
-  }
+    lazy_->program = std::make_unique<const formula::Program>(graph, sums);
+  });
+  return *lazy_->program;
+}
+
+template <class T>
+void LobeSum::evaluateProgram(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const {
+  const T* const inputs[] = {pairs.wi[0], pairs.wi[1], pairs.wi[2], pairs.wo[0],
+                             pairs.wo[1], pairs.wo[2], nullptr,     nullptr};
+  std::vector<T*> outputs;
+  for (std::size_t channel = 0; channel < channels_.count(); ++channel)
+    outputs.push_back(values + channel * pairs.count);
+  program().run(inputs, {}, outputs.data(), pairs.count);
   if (valid != nullptr) std::fill_n(valid, pairs.count, std::uint8_t{1});
 }
 
 void LobeSum::evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
-  evaluateBlocks(pairs, values, valid);
+  evaluateProgram(pairs, values, valid);
 }
 
 void LobeSum::evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const {
-  evaluateBlocks(pairs, values, valid);
+  evaluateProgram(pairs, values, valid);
 }
 
 void LobeSum::sample(const std::array<const double*, 3>& wo, const std::array<const double*, 2>& u,

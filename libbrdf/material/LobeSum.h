@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/formula/Program.h>
 #include <brdf/material/Brdf.h>
 #include <brdf/models/Model.h>
 
@@ -57,22 +58,28 @@ class BRDF_EXPORT LobeSum : public Brdf {
   const std::vector<Component>& components() const { return components_; }
 
  private:
+  struct Lazy;
+  /// The whole sum as one program, an output a channel, made at its first use: what lobes and channels have in common
+  /// is computed once, and the directions are read once.
+  const formula::Program& program() const;
   template <class T>
-  void evaluateBlocks(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const;
+  void evaluateProgram(const DirectionPairs<T>& pairs, T* values, std::uint8_t* valid) const;
   void chooseSamplingWeights();
 
   std::vector<Lobe> lobes_;
   Channels channels_;
   std::vector<double> samplingWeights_;
   std::vector<Component> components_;
+  std::shared_ptr<Lazy> lazy_;
 };
 
 /// Reads a material expression: lobes joined by '+', each with optional scale factors `s *` where s is a number or one
 /// number a channel `(s0, s1, ...)`, parameters named `name=value` or `name=(v0, v1, ...)`. Three values anywhere make
 /// it RGB, all single values monochrome; other channels must be named by `channels`, whose count every list must have.
 /// Example: "(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)". A microfacet lobe may be composed of its terms:
-/// "Microfacet(D=Beckmann(alpha=0.1), F=Conductor(eta=0.2, k=3), G=Smith)" (models/Microfacet.h). Throws Error::Kind::Formula with the column,
-/// what was expected and the nearest known name, Error::Kind::Value for a value out of bounds.
+/// "Microfacet(D=Beckmann(alpha=0.1), F=Conductor(eta=0.2, k=3), G=Smith)" (models/Microfacet.h). Throws
+/// Error::Kind::Formula with the column, what was expected and the nearest known name, Error::Kind::Value for a value
+/// out of bounds.
 BRDF_EXPORT std::shared_ptr<const LobeSum> parseMaterialExpression(std::string_view text,
                                                                    std::optional<Channels> channels = {});
 

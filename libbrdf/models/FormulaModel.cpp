@@ -50,14 +50,21 @@ std::array<const T*, static_cast<std::size_t>(Input::Count)> inputsOf(const Dire
 }
 
 /// `root` with both cosines at least 1e-14: nearer to the horizon a lobe keeps the value it has there, because squares
-/// and products of the cosines would leave the normal numbers of float (0/0 instead of a limit), and the peak of a sharp
-/// lobe over such a product its largest.
+/// and products of the cosines would leave the normal numbers of float (0/0 instead of a limit), and the peak of a
+/// sharp lobe over such a product its largest.
 NodeId awayFromTheHorizon(Graph& graph, NodeId root) {
   for (const Input cosine : {Input::Uz, Input::Vz}) {
     const NodeId input = graph.input(cosine);
     root = graph.substitute(root, input, graph.make(Op::Max, input, graph.constant(1e-14)));
   }
   return root;
+}
+
+/// Whether both directions are above the horizon.
+NodeId aboveTheHorizon(Graph& graph) {
+  const NodeId zero = graph.constant(0);
+  return graph.make(Op::And, graph.make(Op::Less, zero, graph.input(Input::Uz)),
+                    graph.make(Op::Less, zero, graph.input(Input::Vz)));
 }
 
 }  // namespace
@@ -90,32 +97,44 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
 
 FormulaModel::~FormulaModel() = default;
 
+formula::ParseOptions FormulaModel::parseOptions(Graph& graph) const {
+  formula::ParseOptions options;
+  options.tables = &tableMap();
+  options.functions = legacyDialect_ ? &legacyFunctionTable() : &functionTable();
+  options.where = where_ + ", equation of " + name_;
+  if (legacyDialect_)
+    for (const char* name : {"phi_i", "phi_o"}) {  // (0, 2 pi] there
+      const NodeId phi = *formula::makeVariable(graph, name);
+      const NodeId turn = graph.add(phi, graph.constant(2 * std::numbers::pi));
+      options.bindings[name] = graph.select(graph.make(Op::Less, graph.constant(0), phi), phi, turn);
+    }
+  return options;
+}
+
+NodeId FormulaModel::finished(Graph& graph, NodeId raw) const {
+  if (clamp_) raw = graph.make(Op::Max, raw, graph.constant(0));
+  return graph.select(aboveTheHorizon(graph), awayFromTheHorizon(graph, raw), graph.constant(0));
+}
+
+NodeId FormulaModel::buildValue(Graph& graph, std::span<const double> parameters) const {
+  formula::ParseOptions options = parseOptions(graph);
+  for (std::size_t k = 0; k < parameters_.size(); ++k)
+    options.bindings[parameters_[k].name] = graph.constant(parameters[k]);
+  return finished(graph, formula::parse(graph, equation_, options).value);
+}
+
 FormulaModel::Compiled& FormulaModel::compiled() const {
   std::call_once(once_, [this] {
     auto made = std::make_unique<Compiled>();
     Graph& graph = made->graph;
     std::vector<std::string> names;
     for (const Parameter& parameter : parameters_) names.push_back(parameter.name);
-    formula::ParseOptions options;
+    const NodeId zero = graph.constant(0), above = aboveTheHorizon(graph);
+    formula::ParseOptions options = parseOptions(graph);
     options.parameters = names;
-    options.tables = &tableMap();
-    options.functions = legacyDialect_ ? &legacyFunctionTable() : &functionTable();
-    options.where = where_ + ", equation of " + name_;
-
-    const NodeId zero = graph.constant(0);
-    const NodeId above = graph.make(Op::And, graph.make(Op::Less, zero, graph.input(Input::Uz)),
-                                    graph.make(Op::Less, zero, graph.input(Input::Vz)));
-    if (legacyDialect_)
-      for (const char* name : {"phi_i", "phi_o"}) {  // (0, 2 pi] there
-        const NodeId phi = *formula::makeVariable(graph, name);
-        const NodeId turn = graph.add(phi, graph.constant(2 * std::numbers::pi));
-        options.bindings[name] = graph.select(graph.make(Op::Less, zero, phi), phi, turn);
-      }
-    NodeId raw = formula::parse(graph, equation_, options).value;
+    made->value = finished(graph, formula::parse(graph, equation_, options).value);
     options.bindings.clear();
     options.functions = &functionTable();
-    if (clamp_) raw = graph.make(Op::Max, raw, zero);
-    made->value = graph.select(above, awayFromTheHorizon(graph, raw), zero);
     std::vector<std::uint32_t> all(parameters_.size());
     std::iota(all.begin(), all.end(), 0u);
     made->derivatives = formula::derivatives(graph, made->value, all);

@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/formula/Graph.h>
+#include <brdf/formula/Parser.h>
 #include <brdf/formula/Program.h>
 #include <brdf/models/Model.h>
 
@@ -24,8 +25,8 @@ namespace brdf {
 ///     <reference .../>...
 ///   </model>
 ///
-/// Cosines below 1e-14 count as 1e-14. clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h. The formula is compiled at first use;
-/// formula errors appear then, or at once through `compile`.
+/// Cosines below 1e-14 count as 1e-14. clamp="yes" replaces negative values by 0. dialect: see models/LegacyModel.h.
+/// The formula is compiled at first use; formula errors appear then, or at once through `compile`.
 class BRDF_EXPORT FormulaModel final : public Model {
  public:
   /// Throws Error::Kind::Format when the record breaks the layout above; `where` names the file.
@@ -45,6 +46,7 @@ class BRDF_EXPORT FormulaModel final : public Model {
   std::vector<double> evaluateExtended(const std::array<double, 3>& wi, const std::array<double, 3>& wo,
                                        std::span<const double> parameters) const override;
   std::string glsl() const override;
+  formula::NodeId buildValue(formula::Graph& graph, std::span<const double> parameters) const override;
 
   /// The graph of the value, its node, and the nodes of its derivatives in the order of parameters().
   const formula::Graph& graph() const;
@@ -55,6 +57,10 @@ class BRDF_EXPORT FormulaModel final : public Model {
  private:
   struct Compiled;
   Compiled& compiled() const;
+  /// How this model's texts are read into a graph; parameters are the caller's to name.
+  formula::ParseOptions parseOptions(formula::Graph& graph) const;
+  /// The value of an equation: clamped where the model says so, and 0 below the horizon.
+  formula::NodeId finished(formula::Graph& graph, formula::NodeId raw) const;
 
   std::string where_, samplerName_ = "Cosine";
   std::vector<std::string> samplerArguments_;

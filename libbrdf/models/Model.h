@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/formula/Graph.h>
 #include <brdf/geometry/DirectionPairs.h>
 #include <brdf/models/Parameter.h>
 
@@ -59,6 +60,9 @@ class BRDF_EXPORT Model {
   /// derivative with respect to each parameter (by the same exact graph).
   virtual std::vector<double> evaluateExtended(const std::array<double, 3>& wi, const std::array<double, 3>& wo,
                                                std::span<const double> parameters) const = 0;
+
+  /// Adds the value at fixed parameters to a graph, where it shares what it can with what is there.
+  virtual formula::NodeId buildValue(formula::Graph& graph, std::span<const double> parameters) const = 0;
 
   /// GLSL source (3.30 core) of three functions, each with the parameters as trailing float arguments in order:
   ///   float brdf_<name>(vec3 wi, vec3 wo, float p0, ...)          value, 0 below the horizon

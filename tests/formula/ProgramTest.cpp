@@ -110,7 +110,7 @@ TEST(Program, OutputsMayBeInputsConstantsParametersAndEachOther) {
     for (std::size_t i = 0; i < count; ++i) {
       const double x = inputs[0][i], y = inputs[1][i], r = std::sqrt(x + y);
       const std::vector<double> expected{x + y, x, 4, 3, x + y, r, x, 9, (x + y) * r};
-      for (std::size_t k = 0; k < expected.size(); ++k) ASSERT_EQ(got[k][i], expected[k]) << "output " << k;
+      for (std::size_t k = 0; k < expected.size(); ++k) ASSERT_DOUBLE_EQ(got[k][i], expected[k]) << "output " << k;
     }
   }
 }
