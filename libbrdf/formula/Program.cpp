@@ -116,70 +116,55 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
       for (std::size_t k = 0; k < uniforms_.size(); ++k) uniforms[k] = static_cast<T>(exact[k]);
   }
 
-  // Instructions with their pointers: what streams moves by the block's offset, registers and uniforms stay.
-  struct Resolved {
-    Kernel<T> kernel;    // null: a table, or a loop's begin or end
-    const Table* table;  // null: a loop's begin or end
-    Table::Part part;
-    unsigned mask;
+  // Instructions with their pointers. Those into arrays move on by a block after each block; registers and uniforms
+  // stay.
+  struct Call {
+    Kernel<T> kernel;  // null: a table, or a loop's begin or end
     T* target;
     const T* operands[3];
-    std::size_t targetStride, strides[3];
-    std::uint32_t loop;
-    bool begins;
   };
-  thread_local std::vector<Resolved> resolved;
+  thread_local std::vector<Call> calls;
+  thread_local std::vector<const T**> streams;
   thread_local std::vector<int> rounds;
   rounds.assign(loops_.size(), 0);
   const auto resolve = [&](const T* const* in, T* const* out) {
     const KernelTable<T>& table = currentKernels<T>();
-    resolved.clear();
-    for (const Instruction& instruction : instructions_) {
-      Resolved r{};
-      r.loop = instruction.index;
-      r.begins = instruction.kind == Instruction::Kind::LoopBegin;
-      const bool isTable = instruction.kind == Instruction::Kind::Table;
-      if (instruction.kind != Instruction::Kind::Compute && !isTable) {
-        resolved.push_back(r);
-        continue;
-      }
+    calls.assign(instructions_.size(), Call{});
+    streams.clear();
+    for (std::size_t at = 0; at < instructions_.size(); ++at) {
+      const Instruction& instruction = instructions_[at];
+      if (instruction.kind != Instruction::Kind::Compute && instruction.kind != Instruction::Kind::Table) continue;
+      Call& call = calls[at];
       unsigned mask = 0;
       for (unsigned k = 0; k < 3; ++k) {
         const Operand& operand = instruction.operands[k];
-        switch (operand.place) {
-          case Place::Register:
-            r.operands[k] = registers + operand.index * lanes;
-            break;
-          case Place::Input:
-            r.operands[k] = in[operand.index], r.strides[k] = 1;
-            break;
-          case Place::Output:
-            r.operands[k] = out[operand.index], r.strides[k] = 1;
-            break;
-          case Place::Uniform:
-            r.operands[k] = uniforms + operand.index, mask |= 1u << k;
-            break;
+        const T*& pointer = call.operands[k];
+        if (operand.place == Place::Register) {
+          pointer = registers + operand.index * lanes;
+        } else if (operand.place == Place::Uniform) {
+          pointer = uniforms + operand.index;
+          mask |= 1u << k;
+        } else {
+          pointer = operand.place == Place::Input ? in[operand.index] : out[operand.index];
+          streams.push_back(&pointer);
         }
       }
-      const bool toOutput = instruction.target.place == Place::Output;
-      r.target = toOutput ? out[instruction.target.index] : registers + instruction.target.index * lanes;
-      r.targetStride = toOutput ? 1 : 0;
-      r.mask = mask;
-      if (isTable) {
-        r.table = tables_[instruction.index].get();
-        r.part = partOf(instruction.op);
-        resolved.push_back(r);
-        continue;
+      if (instruction.target.place == Place::Output) {
+        call.target = out[instruction.target.index];
+        streams.push_back(const_cast<const T**>(&call.target));
+      } else {
+        call.target = registers + instruction.target.index * lanes;
       }
-      r.kernel = table.kernels[static_cast<std::size_t>(instruction.op)][mask];
-      resolved.push_back(r);
+      if (instruction.kind == Instruction::Kind::Compute)
+        call.kernel = table.kernels[static_cast<std::size_t>(instruction.op)][mask];
     }
   };
   // A loop's operands, found by its place when it runs: loops are rare.
   const T* const* currentInputs = inputs;
   T* const* currentOutputs = outputs;
-  const auto runLoop = [&](const Resolved& r, std::size_t offset) {
-    const Loop& loop = loops_[r.loop];
+  const auto runLoop = [&](const Instruction& instruction, std::size_t offset) {
+    const Loop& loop = loops_[instruction.index];
+    const bool begins = instruction.kind == Instruction::Kind::LoopBegin;
     const auto source = [&](const Operand& operand) {
       switch (operand.place) {
         case Place::Input:
@@ -201,28 +186,31 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
                        state(loop.result),
                        {state(loop.state[0]), state(loop.state[1]), state(loop.state[2]), state(loop.state[3])},
                        loop.tolerance};
-    int& round = rounds[r.loop];
-    if (loop.op == Op::Sum) return r.begins ? (round = 0, beginSum(frame)) : continueSum(frame, ++round);
-    return r.begins ? (round = 0, beginSolve(frame)) : continueSolve(frame, ++round);
+    int& round = rounds[instruction.index];
+    if (loop.op == Op::Sum) return begins ? (round = 0, beginSum(frame)) : continueSum(frame, ++round);
+    return begins ? (round = 0, beginSolve(frame)) : continueSolve(frame, ++round);
+  };
+  const auto runTable = [&](const Instruction& instruction, const Call& call) {
+    const Table& table = *tables_[instruction.index];
+    const std::size_t strideX = instruction.operands[0].place == Place::Uniform ? 0 : 1;
+    const std::size_t strideY = instruction.operands[1].place == Place::Uniform ? 0 : 1;
+    for (std::size_t i = 0; i < lanes; ++i)
+      call.target[i] = table.at(partOf(instruction.op), call.operands[0][strideX * i], call.operands[1][strideY * i]);
   };
   const auto runBlock = [&](std::size_t offset) {
-    for (std::size_t at = 0; at < resolved.size(); ++at) {
-      const Resolved& r = resolved[at];
-      if (r.table != nullptr) {
-        const T* x = r.operands[0] + r.strides[0] * offset;
-        const T* y = r.operands[1] + r.strides[1] * offset;
-        T* target = r.target + r.targetStride * offset;
-        for (std::size_t i = 0; i < lanes; ++i)
-          target[i] = r.table->at(r.part, x[(r.mask & 1) ? 0 : i], y[(r.mask & 2) ? 0 : i]);
+    for (std::size_t at = 0; at < calls.size(); ++at) {
+      const Call& call = calls[at];
+      if (call.kernel != nullptr) [[likely]] {
+        call.kernel(call.target, call.operands[0], call.operands[1], call.operands[2]);
         continue;
       }
-      if (r.kernel == nullptr) {
-        if (runLoop(r, offset) && !r.begins) at = loops_[r.loop].begin;
-        continue;
-      }
-      r.kernel(r.target + r.targetStride * offset, r.operands[0] + r.strides[0] * offset,
-               r.operands[1] + r.strides[1] * offset, r.operands[2] + r.strides[2] * offset);
+      const Instruction& instruction = instructions_[at];
+      if (instruction.kind == Instruction::Kind::Table)
+        runTable(instruction, call);
+      else if (runLoop(instruction, offset) && instruction.kind == Instruction::Kind::LoopEnd)
+        at = loops_[instruction.index].begin;
     }
+    for (const T** const stream : streams) *stream += lanes;
   };
 
   const std::size_t whole = count / lanes * lanes;

@@ -88,6 +88,9 @@ class Broken : public Model {
     return right_.evaluateExtended(wi, wo, p);
   }
   std::string glsl() const override { return right_.glsl(); }
+  formula::NodeId buildValue(formula::Graph& graph, std::span<const double> p) const override {
+    return right_.buildValue(graph, p);
+  }
 
  private:
   FormulaModel right_;
