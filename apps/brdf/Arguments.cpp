@@ -108,6 +108,16 @@ void Arguments::option(const std::string& name, std::size_t& target, const Range
       name, "N");
 }
 
+void Arguments::optionWithOptionalValue(const std::string& name, bool& given, std::string& target,
+                                        const std::string& value, const std::string& help) {
+  const auto read = [&given, &target](const std::string& text) {
+    given = true;
+    target = text;
+  };
+  implementation_->keep(implementation_->app.add_option_function<std::string>(name, read, help), name, value)
+      ->expected(0, 1);
+}
+
 void Arguments::choice(const std::string& name, std::string& target, const std::vector<std::string>& allowed,
                        const std::string& help) {
   const auto read = [&target, name, allowed](const std::string& text) {

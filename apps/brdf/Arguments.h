@@ -35,6 +35,9 @@ class Arguments {
   void option(const std::string& name, double& target, const Range& range, const std::string& value,
               const std::string& help);
   void option(const std::string& name, std::size_t& target, const Range& range, const std::string& help);
+  /// An option that may stand alone: `given` says that it was there, `target` is empty without a value.
+  void optionWithOptionalValue(const std::string& name, bool& given, std::string& target, const std::string& value,
+                               const std::string& help);
   /// One word of a list.
   void choice(const std::string& name, std::string& target, const std::vector<std::string>& allowed,
               const std::string& help);

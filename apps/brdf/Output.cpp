@@ -4,7 +4,6 @@
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -31,27 +30,6 @@ void Output::report(const nlohmann::ordered_json& json) const {
     writeStandardOutput(text);
   else
     writeFile(jsonTarget, text);
-}
-
-std::string TextTable::text() const {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows_)
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      if (column == widths.size()) widths.push_back(0);
-      widths[column] = std::max(widths[column], row[column].size());
-    }
-  std::string text;
-  for (const auto& row : rows_) {
-    std::string line;
-    for (std::size_t column = 0; column < row.size(); ++column) {
-      if (column > 0) line += "  ";
-      line += row[column];
-      if (column + 1 < row.size()) line.append(widths[column] - row[column].size(), ' ');
-    }
-    if (!text.empty()) text += "\n";
-    text += line;
-  }
-  return text;
 }
 
 std::string number(double value) { return formatNumber(value, 6); }

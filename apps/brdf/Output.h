@@ -1,8 +1,9 @@
 #pragma once
+#include <brdf/base/TextTable.h>
+
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace brdf::app {
 
@@ -20,17 +21,7 @@ class Output {
   void report(const nlohmann::ordered_json& json) const;
 };
 
-/// A table of text whose columns are as wide as their widest cell; numbers are best given by `number`.
-class TextTable {
- public:
-  TextTable() = default;
-  explicit TextTable(std::vector<std::string> header) { row(std::move(header)); }
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
-  std::string text() const;
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-};
+using brdf::TextTable;
 
 /// `value` with six significant digits, for people.
 std::string number(double value);

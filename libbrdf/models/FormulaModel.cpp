@@ -25,6 +25,7 @@ struct FormulaModel::Compiled {
   NodeId value = 0, density = 0;
   std::vector<NodeId> draw;
   std::vector<NodeId> derivatives;  // of the value, one a parameter
+  std::vector<std::string> functionsUsed;
   std::unique_ptr<const Program> valueProgram, densityProgram, drawProgram;
 
   std::mutex mutex;  // guards the map; programs themselves are immutable
@@ -132,7 +133,9 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     const NodeId zero = graph.constant(0), above = aboveTheHorizon(graph);
     formula::ParseOptions options = parseOptions(graph);
     options.parameters = names;
-    made->value = finished(graph, formula::parse(graph, equation_, options).value);
+    formula::ParseResult equation = formula::parse(graph, equation_, options);
+    made->functionsUsed = std::move(equation.functionsUsed);
+    made->value = finished(graph, equation.value);
     options.bindings.clear();
     options.functions = &functionTable();
     std::vector<std::uint32_t> all(parameters_.size());
@@ -246,6 +249,7 @@ std::string FormulaModel::glsl() const {
 
 const Graph& FormulaModel::graph() const { return compiled().graph; }
 NodeId FormulaModel::valueNode() const { return compiled().value; }
+const std::vector<std::string>& FormulaModel::functionsUsed() const { return compiled().functionsUsed; }
 const std::vector<NodeId>& FormulaModel::derivativeNodes() const { return compiled().derivatives; }
 
 }  // namespace brdf

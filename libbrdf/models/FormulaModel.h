@@ -53,6 +53,11 @@ class BRDF_EXPORT FormulaModel final : public Model {
   formula::NodeId valueNode() const;
   const std::vector<formula::NodeId>& derivativeNodes() const;
   const std::string& samplerName() const { return samplerName_; }
+  const std::vector<std::string>& samplerArguments() const { return samplerArguments_; }  ///< formulas
+  const std::string& cosineShare() const { return cosineShare_; }  ///< a formula, or empty for none
+  bool clamped() const { return clamp_; }                          ///< whether negative values are replaced by 0
+  /// Names of the library's functions (models/Library.h) that the equation calls, in order of first use.
+  const std::vector<std::string>& functionsUsed() const;
 
  private:
   struct Compiled;

@@ -118,10 +118,14 @@ const formula::FunctionTable& legacyFunctionTable() {
   return table;
 }
 
+const std::vector<Sampler>& samplers() {
+  static const std::vector<Sampler> all = readSamplers();
+  return all;
+}
+
 const Sampler& findSampler(std::string_view name, const std::string& where) {
-  static const std::vector<Sampler> samplers = readSamplers();
   std::vector<std::string> names;
-  for (const Sampler& sampler : samplers) {
+  for (const Sampler& sampler : samplers()) {
     if (sampler.name == name) return sampler;
     names.push_back(sampler.name);
   }

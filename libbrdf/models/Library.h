@@ -35,7 +35,9 @@ BRDF_EXPORT const formula::TableMap& tableMap();
 /// The functions of muParser 1.30 that ours spell otherwise or lack, for model files of BRDFLab 0.8.2.
 BRDF_EXPORT const formula::FunctionTable& legacyFunctionTable();
 
-/// The sampler called `name` (models/samplers/*.xml); throws Error::Kind::Value with the allowed names.
+/// The samplers embedded in the library (models/samplers/*.xml).
+BRDF_EXPORT const std::vector<Sampler>& samplers();
+/// The sampler called `name` ; throws Error::Kind::Value with the allowed names.
 BRDF_EXPORT const Sampler& findSampler(std::string_view name, const std::string& where);
 
 }  // namespace brdf

@@ -75,6 +75,29 @@ const MicrofacetTerms& microfacetTerms() {
   return terms;
 }
 
+const std::vector<MicrofacetTerm>& microfacetTermsOf(char kind) {
+  static const std::map<char, std::vector<MicrofacetTerm>> all = [] {
+    std::map<char, std::vector<MicrofacetTerm>> terms;
+    for (const pugi::xml_node node : components().children()) {
+      MicrofacetTerm term;
+      term.name = node.attribute("name").value();
+      term.call = node.attribute("call").value();
+      for (const pugi::xml_node parameter : node.children("parameter"))
+        term.parameters.push_back(readParameter(parameter, "components.xml, " + term.name));
+      term.smith = node.attribute("smith").value();
+      term.sampler = node.attribute("sampler").value();
+      term.samplerArguments = splitArguments(node.attribute("arguments").value());
+      terms[node.name()[0]].push_back(std::move(term));
+    }
+    return terms;
+  }();
+  const auto it = all.find(kind);
+  if (it == all.end())
+    throw Error(Error::Kind::Value,
+                {"unknown kind of term", "Microfacet", "'" + std::string(1, kind) + "'", "D, F, G"});
+  return it->second;
+}
+
 ModelPointer composeMicrofacet(std::string_view distribution, std::string_view fresnel, std::string_view shadowing) {
   static std::mutex mutex;
   static std::map<std::string, ModelPointer> made;

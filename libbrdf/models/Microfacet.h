@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/models/Model.h>
+#include <brdf/models/Parameter.h>
 
 #include <string>
 #include <string_view>
@@ -13,6 +14,18 @@ struct MicrofacetTerms {
   std::vector<std::string> distributions, fresnels, shadowings;
 };
 BRDF_EXPORT const MicrofacetTerms& microfacetTerms();
+
+/// One of those terms: the call that computes it, in its parameters and those of its distribution.
+struct MicrofacetTerm {
+  std::string name;
+  std::string call;  ///< formula; "smith" stands for the distribution's own
+  std::vector<Parameter> parameters;
+  std::string smith;                          ///< of a distribution: its Smith visibility
+  std::string sampler;                        ///< of a distribution: name of the sampler that covers it
+  std::vector<std::string> samplerArguments;  ///< of a distribution: formulas
+};
+/// The terms of a kind, 'D', 'F' or 'G', in the file's order.
+BRDF_EXPORT const std::vector<MicrofacetTerm>& microfacetTermsOf(char kind);
 
 /// The model f = D F G/(4 cos_i cos_o) of the named terms, called "Microfacet_<D>_<F>_<G>"; its parameters are those of
 /// D, then of F. G = Smith is the height-correlated Smith term of the distribution. Composed once and kept. Throws

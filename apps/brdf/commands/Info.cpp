@@ -8,6 +8,7 @@
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/material/SampleSet.h>
+#include <brdf/sampling/DirectionalAlbedo.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>

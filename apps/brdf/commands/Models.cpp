@@ -2,9 +2,12 @@
 #include "Commands.h"
 #include "Output.h"
 
+#include <brdf/base/Error.h>
+#include <brdf/base/File.h>
 #include <brdf/base/Text.h>
-#include <brdf/models/Model.h>
+#include <brdf/reference/ModelPage.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 namespace brdf::app {
@@ -12,17 +15,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string citation(const Reference& reference) {
-  std::string text = reference.authors;
-  if (reference.year != 0) text += (text.empty() ? "" : " ") + std::to_string(reference.year);
-  for (const std::string* part : {&reference.title, &reference.venue})
-    if (!part->empty()) text += ", " + *part;
-  if (!reference.equations.empty()) text += ", eq. " + reference.equations;
-  if (!reference.doi.empty()) text += ", doi:" + reference.doi;
-  return text;
-}
-
-Json modelJson(const Model& model, bool page) {
+Json modelJson(const ModelPointer& pointer, bool page) {
+  const Model& model = *pointer;
   Json parameters = Json::array();
   for (const Parameter& p : model.parameters()) {
     Json parameter = {{"name", p.name},
@@ -46,6 +40,10 @@ Json modelJson(const Model& model, bool page) {
   if (page) {
     json["description"] = model.description();
     json["equation"] = model.equation();
+    json["albedo"] = Json::array();
+    for (const MeasuredAlbedo& albedo : measuredAlbedos(pointer))
+      json["albedo"].push_back({{"theta", albedo.degrees}, {"value", albedo.value}, {"bound", albedo.bound}});
+    json["breaks"] = declaredBreaks(model);
   }
   return json;
 }
@@ -69,42 +67,56 @@ void printList(const Output& output, const std::vector<ModelPointer>& models) {
   output.line(std::to_string(models.size()) + " lobes; brdf models NAME shows one with its formula");
 }
 
-void printPage(const Output& output, const Model& model) {
-  output.line(model.name() + ": " + model.title() + "\n");
-  output.line(model.description() + "\n");
-  output.line(parameterTable(model, "  ") + "\n");
-  output.line(std::string("  ") + (model.isotropic() ? "isotropic" : "anisotropic") + ", " +
-              (model.reciprocal() ? "reciprocal" : "not reciprocal") +
-              "; value in 1/sr without the cosine, 0 below the horizon\n");
-  output.line("Formula\n" + model.equation() + "\n");
-  output.line("Source");
-  for (const Reference& reference : model.references()) output.line("  " + citation(reference));
+/// Writes the reference into a folder that is there: a lobe's name in its place is a mistake.
+void writeReference(const Output& output, const std::filesystem::path& folder) {
+  if (!std::filesystem::is_directory(folder))
+    throw Error(Error::Kind::File, {"no such folder", "--markdown", "'" + folder.string() + "'",
+                                    "an existing folder; for one lobe's page, NAME --markdown"});
+  std::filesystem::create_directories(folder / "models");
+  const auto files = modelReference();
+  Json written = Json::array();
+  for (const auto& [path, text] : files) {
+    writeFile(folder / path, text);
+    written.push_back((folder / path).string());
+  }
+  output.line(std::to_string(files.size()) + " files in " + folder.string());
+  output.report({{"files", written}});
 }
 
 }  // namespace
 
 Command modelsCommand() {
   struct Values {
-    std::string name;
+    std::string name, folder;
+    bool markdown = false;
   };
   const auto values = std::make_shared<Values>();
-  return {"models", "List the lobes and their parameters; for one, the page with its formula",
-          "  brdf models\n  brdf models GGX",
+  return {"models", "List the lobes and their parameters; for one, its page: formula, parameters, albedo, sources",
+          "  brdf models\n  brdf models GGX\n  brdf models GGX --markdown\n  brdf models --markdown .",
           [values](Arguments& arguments) {
             arguments.positional("NAME", values->name, "A lobe; all of them when left out");
             arguments.optional();
+            arguments.optionWithOptionalValue("--markdown", values->markdown, values->folder, "DIR",
+                                              "Print the page in Markdown; without NAME, write the whole reference "
+                                              "into DIR");
           },
           [values](const Output& output) {
+            if (values->markdown && values->name.empty() == values->folder.empty())
+              throw Error(
+                  Error::Kind::Usage,
+                  {"names neither one lobe nor one folder", "--markdown", {}, "NAME --markdown, or --markdown DIR"});
+            if (!values->folder.empty()) return writeReference(output, values->folder);
             if (!values->name.empty()) {
               const ModelPointer model = findModel(values->name);
-              printPage(output, *model);
-              output.report(Json::array({modelJson(*model, true)}));
+              if (output.textWanted())
+                output.line(brdf::trimmed(values->markdown ? modelPageMarkdown(model) : modelPageText(model)));
+              if (!output.jsonTarget.empty()) output.report(Json::array({modelJson(model, true)}));
               return;
             }
             const auto models = allModels();
             printList(output, models);
             Json list = Json::array();
-            for (const auto& model : models) list.push_back(modelJson(*model, false));
+            for (const auto& model : models) list.push_back(modelJson(model, false));
             output.report(list);
           }};
 }

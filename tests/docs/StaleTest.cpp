@@ -1,0 +1,62 @@
+// The committed reference is what the models' records give today, on every instruction set.
+#include <brdf/base/File.h>
+#include <brdf/formula/Program.h>
+#include <brdf/reference/ModelPage.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "Page.h"
+
+namespace brdf {
+namespace {
+
+const std::map<std::string, std::string>& reference() {
+  static const auto files = modelReference();
+  return files;
+}
+
+constexpr char kUpdate[] = ": the model reference is stale; update it with scripts/update-docs.sh";
+
+TEST(ModelReference, IsWhatTheRecordsGive) {
+  for (const auto& [path, text] : reference()) {
+    ASSERT_TRUE(std::filesystem::exists(docs() / path)) << "docs/" << path << kUpdate;
+    ASSERT_TRUE(readFile(docs() / path) == text) << "docs/" << path << kUpdate;
+  }
+}
+
+TEST(ModelReference, HasNoPageOfAModelThatIsGone) {
+  for (const auto& entry : std::filesystem::directory_iterator(docs() / "models")) {
+    const std::string path = "models/" + entry.path().filename().string();
+    EXPECT_TRUE(reference().contains(path)) << "docs/" << path << kUpdate;
+  }
+}
+
+TEST(ModelReference, IsTheSameOnEveryInstructionSet) {
+  const auto best = formula::instructionSet();
+  for (const std::string_view set : formula::instructionSets()) {
+    formula::setInstructionSet(set);
+    for (const char* name : {"GGX", "SGD", "Disney", "Ward", "StudentT", "LowSmooth"}) {
+      const std::string path = std::string("models/") + name + ".md";
+      const ModelPointer model = findModel(name);
+      EXPECT_NE(reference().at(path).find(modelPageMarkdown(model)), std::string::npos) << set << " " << name;
+    }
+  }
+  formula::setInstructionSet(best);
+}
+
+TEST(ModelReference, LinksLeadSomewhere) {
+  std::set<std::string> pages{"formula-language.md", "own-lobes.md", "checks.md"};
+  for (const auto& [path, text] : reference()) pages.insert(path);
+  for (const std::string& path : pages) {
+    const std::string page = readFile(docs() / path);
+    for (std::size_t at = page.find("]("); at != std::string::npos; at = page.find("](", at + 1)) {
+      const std::string target = page.substr(at + 2, page.find_first_of(")#", at + 2) - at - 2);
+      if (target.empty() || target.starts_with("http")) continue;
+      EXPECT_TRUE(std::filesystem::exists((docs() / path).parent_path() / target)) << path << " -> " << target;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace brdf
