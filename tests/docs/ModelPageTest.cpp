@@ -83,6 +83,9 @@ TEST(ModelPage, HasTheRecordOfEveryRegisteredModel) {
     EXPECT_FALSE(model->references().empty()) << model->name();
     for (const Parameter& p : model->parameters())
       EXPECT_FALSE(p.description.empty()) << model->name() << "." << p.name;
+    for (const Reference& reference : model->references())  // 10.5555 is the registry's prefix for tests: not resolved
+      EXPECT_TRUE(reference.doi.empty() || (reference.doi.starts_with("10.") && !reference.doi.starts_with("10.5555")))
+          << model->name() << " " << reference.doi;
     const std::string firstLine = model->equation().substr(0, model->equation().find('\n'));
     EXPECT_NE(modelPageText(model).find(firstLine), std::string::npos) << model->name();
   }
