@@ -5,11 +5,14 @@
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
+#include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfVersion.h>
 
 #include <array>
+#include <cstring>
+#include <stdexcept>
 
 namespace brdf {
 namespace {
@@ -46,8 +49,29 @@ std::vector<std::string> wantedChannels(const Imf::ChannelList& list, const fs::
   return names;
 }
 
-Image readExr(const fs::path& path) try {
-  Imf::InputFile file(path.c_str());
+/// Bytes in memory, as OpenEXR reads them.
+class MemoryStream : public Imf::IStream {
+ public:
+  MemoryStream(std::string_view bytes, const fs::path& path) : Imf::IStream(path.c_str()), bytes_(bytes) {}
+
+  bool read(char to[], int count) override {
+    if (count < 0 || position_ > bytes_.size() || static_cast<std::size_t>(count) > bytes_.size() - position_)
+      throw std::runtime_error("the file ends early");
+    std::memcpy(to, bytes_.data() + position_, static_cast<std::size_t>(count));
+    position_ += static_cast<std::size_t>(count);
+    return position_ < bytes_.size();
+  }
+  std::uint64_t tellg() override { return position_; }
+  void seekg(std::uint64_t position) override { position_ = position; }
+
+ private:
+  std::string_view bytes_;
+  std::uint64_t position_ = 0;
+};
+
+Image readExr(std::string_view content, const fs::path& path) try {
+  MemoryStream stream(content, path);
+  Imf::InputFile file(stream);
   const Imath::Box2i window = file.header().dataWindow();
   const auto width = std::int64_t{window.max.x} - window.min.x + 1;
   const auto height = std::int64_t{window.max.y} - window.min.y + 1;
@@ -58,7 +82,7 @@ Image readExr(const fs::path& path) try {
                     std::to_string(kMaximumImagePixels) + " pixels");
   // No compression of OpenEXR packs a pixel into less than some 1/100000 of its bytes: a tiny file with a huge header
   // is refused before memory is taken for it.
-  const auto bytes = static_cast<std::int64_t>(fs::file_size(path));
+  const auto bytes = static_cast<std::int64_t>(content.size());
   if (width * height > bytes * 50000)
     formatError(path, "picture larger than its file can hold", std::to_string(width) + " x " + std::to_string(height));
 
@@ -80,11 +104,12 @@ Image readExr(const fs::path& path) try {
 
 }  // namespace
 
-Image readImage(const fs::path& path) {
-  const std::string head = readFileHead(path, 16);
-  if (head.empty()) formatError(path, "empty file", "0 bytes", "OpenEXR, Radiance .hdr");
-  if (head.size() >= 4 && Imf::isImfMagic(head.data())) return readExr(path);
-  if (head.starts_with("#?")) return readRadianceHdr(readFile(path), path);
+Image readImage(const fs::path& path) { return readImage(readFile(path), path); }
+
+Image readImage(std::string_view bytes, const fs::path& path) {
+  if (bytes.empty()) formatError(path, "empty file", "0 bytes", "OpenEXR, Radiance .hdr");
+  if (bytes.size() >= 4 && Imf::isImfMagic(bytes.data())) return readExr(bytes, path);
+  if (bytes.starts_with("#?")) return readRadianceHdr(bytes, path);
   formatError(path, "not a picture of a known format", {}, "OpenEXR, Radiance .hdr");
 }
 

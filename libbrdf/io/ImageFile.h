@@ -14,6 +14,8 @@ constexpr std::size_t kMaximumImageSide = 32768;
 /// Reads a linear picture, recognised by content: OpenEXR (scan lines or tiles, half or float, any compression;
 /// channels R,G,B[,A] or Y) or Radiance .hdr. Throws Error::Kind::File or Error::Kind::Format.
 BRDF_EXPORT Image readImage(const std::filesystem::path& path);
+/// The same from the file's bytes; `path` is for messages only.
+BRDF_EXPORT Image readImage(std::string_view bytes, const std::filesystem::path& path);
 
 /// Reads a Radiance RGBE picture from its bytes: flat or run-length coded in either way, rows from the top ("-Y h +X
 /// w"). Values are (mantissa + 1/2) 2^(exponent - 136), as in Radiance's own color.c (G. Ward, "Real Pixels", Graphics

@@ -4,8 +4,12 @@
 namespace brdf {
 
 // The formats that ship, one function a file; Format.cpp lists them.
-Format merlFormat();     ///< MerlFormat.cpp
-Format cornellFormat();  ///< CornellFormat.cpp
-Format csvFormat();      ///< CsvFormat.cpp
+Format merlFormat();      ///< MerlFormat.cpp
+Format cornellFormat();   ///< CornellFormat.cpp
+Format csvFormat();       ///< CsvFormat.cpp
+Format utiaFormat();      ///< UtiaFormat.cpp
+Format utiaExrFormat();   ///< UtiaFormat.cpp
+Format csailFormat();     ///< CsailFormat.cpp
+Format carPaintFormat();  ///< CarPaintFormat.cpp
 
 }  // namespace brdf

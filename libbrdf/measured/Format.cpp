@@ -12,7 +12,8 @@ namespace {
 constexpr std::size_t kHeadBytes = 8192;
 
 std::vector<Format>& registry() {
-  static std::vector<Format> formats{merlFormat(), cornellFormat(), csvFormat()};
+  static std::vector<Format> formats{merlFormat(),    cornellFormat(), csvFormat(),     utiaFormat(),
+                                     utiaExrFormat(), csailFormat(),   carPaintFormat()};
   return formats;
 }
 
