@@ -4,6 +4,7 @@
 #include <brdf/io/Container.h>
 #include <brdf/io/Sha256.h>
 #include <brdf/io/StoredBrdf.h>
+#include <brdf/io/StoredComponents.h>
 
 #include <algorithm>
 #include <chrono>
@@ -104,7 +105,8 @@ std::string presentBytes(const std::filesystem::path& path, ContainerWriter::Mod
 }
 
 /// VTK 9.1 writes past its heap when an image has one point along an axis: such a table is never shown to it.
-bool vtkReads(const h5::Group& table) {
+bool vtkReads(const h5::Group& table, const std::string& kind) {
+  if (kind != "table" && kind != "grid") return false;
   const std::vector<std::int64_t> extent = table.integers("WholeExtent", 6);
   return extent[1] > 0 && extent[3] > 0 && extent[5] > 0;
 }
@@ -158,6 +160,8 @@ BrdfPointer Container::load(std::size_t index) const {
   return restoreBrdf(groups_.at(index), entry.kind, entry.description);
 }
 
+Components Container::components(std::size_t index) const { return restoreComponents(groups_.at(index)); }
+
 Provenance Container::provenance(std::size_t index) const {
   return restoreProvenance(groups_.at(index).group("Provenance"));
 }
@@ -178,7 +182,8 @@ ContainerWriter::ContainerWriter(std::filesystem::path path, Mode mode)
 
 ContainerWriter::~ContainerWriter() = default;
 
-h5::Group ContainerWriter::add(const std::string& name, const Brdf& brdf, const Provenance& provenance) {
+h5::Group ContainerWriter::add(const std::string& name, const Brdf& brdf, const Provenance& provenance,
+                               const Components& components) {
   const auto taken = [&](const Container::Entry& entry) { return entry.name == name; };
   if (name.empty() || name.size() > kMaximumNameLength || isNumber(name) || name.find('#') != std::string::npos ||
       std::any_of(entries_.begin(), entries_.end(), taken))
@@ -194,11 +199,12 @@ h5::Group ContainerWriter::add(const std::string& name, const Brdf& brdf, const 
     group.setText("Kind", entry.kind);
     group.setText("Description", entry.description);
     storeProvenance(group.createGroup("Provenance"), provenance);
+    storeComponents(group, components);
   } catch (...) {
     home.remove(number);
     throw;
   }
-  if (entry.kind == "table" && vtkReads(group) && builder_.root().linkTarget("VTKHDF").empty())
+  if (vtkReads(group, entry.kind) && builder_.root().linkTarget("VTKHDF").empty())
     builder_.root().linkTo("VTKHDF", entryPath(entries_.size()));
   entries_.push_back(std::move(entry));
   return group;
@@ -207,7 +213,7 @@ h5::Group ContainerWriter::add(const std::string& name, const Brdf& brdf, const 
 void ContainerWriter::show(std::string_view name) {
   std::vector<std::string> tables;
   for (std::size_t i = 0; i < entries_.size(); ++i) {
-    if (entries_[i].kind != "table" || !vtkReads(builder_.root().group("BRDFLab").group(std::to_string(i)))) continue;
+    if (!vtkReads(builder_.root().group("BRDFLab").group(std::to_string(i)), entries_[i].kind)) continue;
     tables.push_back(entries_[i].name);
     if (entries_[i].name == name) return builder_.root().linkTo("VTKHDF", entryPath(i));
   }
@@ -217,9 +223,9 @@ void ContainerWriter::show(std::string_view name) {
 void ContainerWriter::commit() { writeFile(path_, builder_.finish()); }
 
 void writeContainer(const std::filesystem::path& path, const std::string& name, const Brdf& brdf,
-                    const Provenance& provenance) {
+                    const Provenance& provenance, const Components& components) {
   ContainerWriter writer(path);
-  writer.add(name, brdf, provenance);
+  writer.add(name, brdf, provenance, components);
   writer.commit();
 }
 

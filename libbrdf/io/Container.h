@@ -2,6 +2,7 @@
 #include <brdf/brdf_export.h>
 #include <brdf/io/Hdf5.h>
 #include <brdf/material/Brdf.h>
+#include <brdf/material/Components.h>
 #include <brdf/measured/Format.h>
 
 #include <filesystem>
@@ -16,8 +17,10 @@ namespace brdf {
 ///
 ///   /BRDFLab             attribute Format = 1, Program
 ///   /BRDFLab/0, 1, ...   one group an entry; attributes Name, Kind, Description; the BRDF as io/StoredBrdf.h says;
-///                        groups Provenance and, for a fit, Fit (fit/StoredFit.h)
-///   /VTKHDF              soft link to one table; missing when the file holds none of two cells or more along each axis
+///                        groups Provenance; Components where the material has any (io/StoredComponents.h); for a
+///                        fit, Fit (fit/StoredFit.h)
+///   /VTKHDF              soft link to one table or grid; missing when the file holds none of two cells or more along
+///                        each axis of its image
 ///
 /// Entries are numbered from 0. Names are unique.
 
@@ -40,7 +43,7 @@ class BRDF_EXPORT Container {
  public:
   struct Entry {
     std::string name;
-    std::string kind;         ///< "table", "scattered" or "analytic"
+    std::string kind;         ///< "table", "grid", "scattered" or "analytic"
     std::string description;  ///< one line, Brdf::description()
     bool isFit = false;       ///< whether a fit's report is stored with it
   };
@@ -57,6 +60,8 @@ class BRDF_EXPORT Container {
   std::size_t find(std::string_view which) const;
 
   BrdfPointer load(std::size_t index) const;
+  /// What the material of an entry has besides.
+  Components components(std::size_t index) const;
   Provenance provenance(std::size_t index) const;
   /// The entry's group, for other modules' parts of it.
   const h5::Group& group(std::size_t index) const { return groups_.at(index); }
@@ -79,10 +84,11 @@ class BRDF_EXPORT ContainerWriter {
   explicit ContainerWriter(std::filesystem::path path, Mode mode = Mode::Replace);
   ~ContainerWriter();
 
-  /// Adds an entry and returns its group, for other modules' parts of it (of no use after `commit`). The first table of
-  /// a file becomes the one that VTK shows. Throws Error::Kind::Value for a name that is empty, a number, taken, or has
-  /// a '#', and for a BRDF that cannot be kept (see storeBrdf).
-  h5::Group add(const std::string& name, const Brdf& brdf, const Provenance& provenance);
+  /// Adds an entry and returns its group, for other modules' parts of it (of no use after `commit`). The first table
+  /// or grid of a file becomes the one that VTK shows. Throws Error::Kind::Value for a name that is empty, a number,
+  /// taken, or has a '#', and for a BRDF that cannot be kept (see storeBrdf).
+  h5::Group add(const std::string& name, const Brdf& brdf, const Provenance& provenance,
+                const Components& components = {});
   /// Makes the table called `name` the one that VTK shows.
   void show(std::string_view name);
   /// Writes the file; the writer is used up. Throws Error::Kind::File and leaves the old file alone when it cannot.
@@ -96,6 +102,6 @@ class BRDF_EXPORT ContainerWriter {
 
 /// Writes `brdf` as the only entry of a new container.
 BRDF_EXPORT void writeContainer(const std::filesystem::path& path, const std::string& name, const Brdf& brdf,
-                                const Provenance& provenance);
+                                const Provenance& provenance, const Components& components = {});
 
 }  // namespace brdf

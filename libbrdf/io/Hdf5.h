@@ -63,6 +63,10 @@ class Group {
   /// The dataset's numbers as T into `values`, which holds as many as `dimensions`, its shape, says.
   template <class T>
   void readArray(const std::string& name, T* values, std::span<const std::uint64_t> dimensions) const;
+  /// Of a dataset of that shape, `count` slices from `first` on along its slowest axis; no other part is read.
+  template <class T>
+  void readSlices(const std::string& name, T* values, std::span<const std::uint64_t> dimensions, std::uint64_t first,
+                  std::uint64_t count) const;
   /// Where the soft link `name` leads; empty when there is none.
   std::string linkTarget(const std::string& name) const;
 

@@ -120,6 +120,23 @@ OpenArray openArray(hid_t group, const std::string& name, const std::string& whe
   return open;
 }
 
+/// The same, of elements T and of the shape expected.
+template <class T>
+OpenArray openArray(hid_t group, const std::string& name, const std::string& where,
+                    std::span<const std::uint64_t> dimensions) {
+  OpenArray open = openArray(group, name, where);
+  if (H5Tget_class(*open.type) != kTypeClass<T>) fail(where, "array of the wrong type", "");
+  if (!std::equal(dimensions.begin(), dimensions.end(), open.dimensions.begin(), open.dimensions.end())) {
+    const auto shape = [](std::span<const std::uint64_t> sizes) {
+      std::string text;
+      for (const std::uint64_t size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
+      return text;
+    };
+    fail(where, "array of the wrong shape", shape(open.dimensions), shape(dimensions));
+  }
+  return open;
+}
+
 std::vector<std::string> sorted(std::vector<std::string> names) {
   std::sort(names.begin(), names.end());
   return names;
@@ -222,21 +239,35 @@ std::vector<std::uint64_t> Group::dimensions(const std::string& name) const {
 template <class T>
 void Group::readArray(const std::string& name, T* values, std::span<const std::uint64_t> dimensions) const {
   const Quiet quiet;
-  const OpenArray open = openArray(*handle_, name, at(name));
-  if (H5Tget_class(*open.type) != kTypeClass<T>) fail(at(name), "array of the wrong type", "");
-  if (!std::equal(dimensions.begin(), dimensions.end(), open.dimensions.begin(), open.dimensions.end())) {
-    const auto shape = [](std::span<const std::uint64_t> sizes) {
-      std::string text;
-      for (const std::uint64_t size : sizes) text += (text.empty() ? "" : " x ") + std::to_string(size);
-      return text;
-    };
-    fail(at(name), "array of the wrong shape", shape(open.dimensions), shape(dimensions));
-  }
+  const OpenArray open = openArray<T>(*handle_, name, at(name), dimensions);
   check(H5Dread(*open.dataset, nativeType<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values), at(name), "array damaged");
+}
+
+template <class T>
+void Group::readSlices(const std::string& name, T* values, std::span<const std::uint64_t> dimensions,
+                       std::uint64_t first, std::uint64_t count) const {
+  const Quiet quiet;
+  const OpenArray open = openArray<T>(*handle_, name, at(name), dimensions);
+  if (count == 0 || first > dimensions[0] || count > dimensions[0] - first)
+    throw Error(Error::Kind::Value, {"no such slices", at(name), std::to_string(first) + " + " + std::to_string(count),
+                                     "within " + std::to_string(dimensions[0])});
+  std::vector<hsize_t> start(dimensions.size(), 0), size(dimensions.begin(), dimensions.end());
+  start[0] = first;
+  size[0] = count;
+  const Handle file = own(H5Dget_space(*open.dataset), H5Sclose, at(name), "array damaged");
+  check(H5Sselect_hyperslab(*file, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr), at(name),
+        "array damaged");
+  const Handle memory =
+      own(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose, at(name), "array damaged");
+  check(H5Dread(*open.dataset, nativeType<T>(), *memory, *file, H5P_DEFAULT, values), at(name), "array damaged");
 }
 
 template void Group::readArray(const std::string&, double*, std::span<const std::uint64_t>) const;
 template void Group::readArray(const std::string&, std::uint8_t*, std::span<const std::uint64_t>) const;
+template void Group::readSlices(const std::string&, double*, std::span<const std::uint64_t>, std::uint64_t,
+                                std::uint64_t) const;
+template void Group::readSlices(const std::string&, std::uint8_t*, std::span<const std::uint64_t>, std::uint64_t,
+                                std::uint64_t) const;
 
 std::string Group::linkTarget(const std::string& name) const {
   const Quiet quiet;

@@ -48,7 +48,8 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
   if (container.entries().empty())
     throw Error(Error::Kind::Value, {"the container is empty", path.string(), "no entries", "at least one"});
   const std::size_t index = which.empty() ? 0 : container.find(which);
-  LoadedMaterial loaded{container.load(index), "container", container.provenance(index).read};
+  LoadedMaterial loaded{container.load(index), "container", container.provenance(index).read,
+                        container.components(index)};
   const Container::Entry& entry = container.entries()[index];
   loaded.report.metadata["container"] = path.string();
   loaded.report.metadata["entry"] = std::to_string(index) + " (" + entry.name + ")";

@@ -1,53 +1,25 @@
-#include <brdf/base/Error.h>
-#include <brdf/base/Text.h>
 #include <brdf/io/StoredBrdf.h>
+#include <brdf/io/StoredGrid.h>
+#include <brdf/io/StoredValues.h>
+#include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/ScatteredBrdf.h>
 #include <brdf/material/TableBrdf.h>
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <numeric>
-#include <span>
 
 namespace brdf {
 namespace {
 
-using Sizes = std::vector<std::uint64_t>;
-
-std::string valueName(std::size_t channel) { return "value_" + std::to_string(channel); }
-
-[[noreturn]] void broken(const h5::Group& group, std::string what, std::string found, std::string allowed) {
-  throw Error(Error::Kind::Format, {std::move(what), group.where(), std::move(found), std::move(allowed)});
-}
-
-template <class Enum>
-Enum restoreChoice(const h5::Group& group, const char* name, std::span<const std::string_view> names) {
-  const std::string text = group.text(name);
-  const auto found = std::find(names.begin(), names.end(), text);
-  if (found == names.end()) broken(group, std::string("unknown ") + name, text, joined(names));
-  return static_cast<Enum>(found - names.begin());
-}
-
-// ----- channels ----------------------------------------------------------------------------------------------------
-
-constexpr std::array<std::string_view, 3> kChannelKinds = {"monochrome", "rgb", "spectral"};
-
-void storeChannels(const h5::Group& group, const Channels& channels) {
-  group.setText("Channels", kChannelKinds[static_cast<std::size_t>(channels.kind)]);
-  group.setNumbers("Wavelengths_nm", channels.wavelengths);
-}
-
-Channels restoreChannels(const h5::Group& group) {
-  Channels channels{restoreChoice<Channels::Kind>(group, "Channels", kChannelKinds), group.numbers("Wavelengths_nm")};
-  const bool ascending = std::adjacent_find(channels.wavelengths.begin(), channels.wavelengths.end(),
-                                            [](double a, double b) { return !(a < b); }) == channels.wavelengths.end();
-  if ((channels.kind == Channels::Kind::Spectral) == channels.wavelengths.empty() || !ascending)
-    broken(group, "wavelengths do not fit the channels", std::to_string(channels.wavelengths.size()) + " wavelengths",
-           "ascending ones for spectral channels, none otherwise");
-  return channels;
-}
+using stored::broken;
+using stored::restoreChannels;
+using stored::restoreChoice;
+using stored::restoreValues;
+using stored::Sizes;
+using stored::storeChannels;
+using stored::storeValues;
+using stored::valueName;
 
 // ----- sums of lobes -----------------------------------------------------------------------------------------------
 
@@ -81,31 +53,6 @@ BrdfPointer restoreLobes(const h5::Group& group) {
     lobes.push_back(std::move(lobe));
   }
   return std::make_shared<const LobeSum>(std::move(lobes), restoreChannels(group));
-}
-
-// ----- values, a channel at a time ---------------------------------------------------------------------------------
-
-constexpr std::uint64_t kMaximumValues = std::uint64_t{1} << 29;  // 4 GiB
-
-void storeValues(const h5::Group& group, const double* values, const std::uint8_t* valid, std::size_t channels,
-                 const Sizes& shape) {
-  const std::uint64_t count = std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
-  for (std::size_t c = 0; c < channels; ++c) group.writeArray(valueName(c), values + c * count, shape);
-  group.writeArray("valid", valid, shape);
-}
-
-void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& shape, std::vector<double>& values,
-                   std::vector<std::uint8_t>& valid) {
-  const std::uint64_t count = std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
-  if (channels > kMaximumValues / std::max<std::uint64_t>(count, 1))
-    broken(group, "too many values", std::to_string(channels) + " channels of " + std::to_string(count),
-           "at most " + std::to_string(kMaximumValues));
-  if (!group.hasObject(valueName(channels - 1)))
-    broken(group, "values of some channels are missing", {}, std::to_string(channels) + " channels");
-  values.resize(channels * count);
-  for (std::size_t c = 0; c < channels; ++c) group.readArray(valueName(c), values.data() + c * count, shape);
-  valid.resize(count);
-  group.readArray("valid", valid.data(), shape);
 }
 
 // ----- tables ------------------------------------------------------------------------------------------------------
@@ -214,19 +161,24 @@ std::string storeBrdf(const h5::Group& group, const Brdf& brdf) {
     storeTable(group, *table);
     return "table";
   }
+  if (const auto* grid = dynamic_cast<const GridBrdf*>(&brdf)) {
+    storeGrid(group, *grid);
+    return "grid";
+  }
   if (brdf.samples()) {
     storeSamples(group, brdf);
     return "scattered";
   }
   throw Error(Error::Kind::Value, {"a container cannot keep this kind of BRDF", group.where(), brdf.description(),
-                                   "sums of lobes, tables, and data with samples: tabulate it first"});
+                                   "sums of lobes, tables, grids, and data with samples: tabulate it first"});
 }
 
 BrdfPointer restoreBrdf(const h5::Group& group, const std::string& kind, const std::string& description) {
   if (kind == "analytic") return restoreLobes(group);
   if (kind == "table") return restoreTable(group, description);
+  if (kind == "grid") return restoreGrid(group, description);
   if (kind == "scattered") return restoreSamples(group, description);
-  broken(group, "unknown kind of entry", kind, "analytic, table, scattered");
+  broken(group, "unknown kind of entry", kind, "analytic, table, grid, scattered");
 }
 
 }  // namespace brdf

@@ -9,7 +9,8 @@ namespace brdf {
 /// Writes a BRDF into an empty group, losslessly, and says as what:
 /// "analytic"  a LobeSum: channels, and each lobe's model, scale factors and parameters by name;
 /// "table"     a TableBrdf: a VTKHDF ImageData (attributes Version, Type, WholeExtent, Origin, Spacing, Direction;
-///             point arrays value_0, value_1, ... one a channel, and valid), plus the axes' meaning;
+///             point arrays value_0, value_1, ... one a channel, and valid: a CellState each), plus the axes' meaning;
+/// "grid"      a GridBrdf (io/StoredGrid.h);
 /// "scattered" anything else that has samples: wi and wo (count x 3), value_0, value_1, ..., valid.
 /// Throws Error::Kind::Value for a BRDF that is none of these.
 std::string storeBrdf(const h5::Group& group, const Brdf& brdf);

@@ -85,6 +85,9 @@ void check(const TableData& data) {
     fail("arrays and layout disagree",
          std::to_string(data.values.size()) + " values and " + std::to_string(data.valid.size()) + " flags",
          std::to_string(cells * data.channels.count()) + " and " + std::to_string(cells));
+  if (const std::uint8_t most = *std::max_element(data.valid.begin(), data.valid.end());
+      most > stateByte(CellState::Extrapolated))
+    fail("unknown cell state", std::to_string(most), "0 to 2");
 }
 
 }  // namespace
@@ -106,7 +109,7 @@ class TableBrdf::Cells : public SampleSet {
     }
     directions_.aboveHorizon(first, length, valid);
     const std::uint8_t* given = data_->valid.data() + first;
-    for (std::size_t i = 0; i < length; ++i) valid[i] &= given[i];
+    for (std::size_t i = 0; i < length; ++i) valid[i] &= given[i] == stateByte(CellState::Measured);
     if (!values) return;
     for (std::size_t channel = 0; channel < data_->channels.count(); ++channel) {
       const double* __restrict from = data_->values.data() + channel * count() + first;
@@ -127,7 +130,8 @@ TableBrdf::TableBrdf(TableData data, std::string description, Lookup lookup, Pos
   parallelFor(cells, 65536, [&](std::size_t first, std::size_t last) {
     for (std::size_t channel = 0; channel < channelCount; ++channel) {
       const double* values = data.values.data() + channel * cells;
-      for (std::size_t i = first; i < last; ++i) data.valid[i] = (data.valid[i] != 0) & (std::isfinite(values[i]) != 0);
+      for (std::size_t i = first; i < last; ++i)
+        data.valid[i] = std::isfinite(values[i]) ? data.valid[i] : stateByte(CellState::Invalid);
     }
     for (std::size_t channel = 0; channel < channelCount; ++channel) {
       double* values = data.values.data() + channel * cells;
@@ -176,7 +180,7 @@ void TableBrdf::evaluate(const DirectionPairs<double>& pairs, double* values, st
                                  slab * truncated(position.thetaH[i], layout.thetaH);
         for (std::size_t channel = 0; channel < channelCount; ++channel)
           values[channel * pairs.count + out] = data_->values[channel * cells + cell];
-        if (valid) valid[out] = data_->valid[cell];
+        if (valid) valid[out] = data_->valid[cell] != 0;
         continue;
       }
       const Bracket p = periodicBracket(position.phiD[i] - offset, layout.phiD);

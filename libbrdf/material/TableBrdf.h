@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 #include <brdf/material/Brdf.h>
+#include <brdf/material/CellState.h>
 #include <brdf/material/TableLayout.h>
 
 #include <memory>
@@ -15,13 +16,13 @@ struct TableData {
   TableLayout layout;
   Channels channels;
   std::vector<double> values;  ///< 1/sr without the cosine, planar: channel c of cell i at [c * layout.cells() + i]
-  std::vector<std::uint8_t> valid;  ///< 1 where the cell holds a value
+  std::vector<std::uint8_t> valid;  ///< CellState of each cell
 };
 
 /// An isotropic BRDF tabulated in half/difference coordinates (TableLayout).
 ///
-/// Its samples are its cells in their order, at the cells' centres; a cell whose centre is below the horizon is an
-/// invalid sample, though lookups from above the horizon that fall into it still see its value.
+/// Its samples are its cells in their order, at the cells' centres: those that are Measured. A cell whose centre is
+/// below the horizon is an invalid sample, though lookups from above the horizon that fall into it still see its value.
 /// The symmetry is Bilateral: phi_d and -phi_d are different cells, and measured ones differ.
 class BRDF_EXPORT TableBrdf : public Brdf {
  public:

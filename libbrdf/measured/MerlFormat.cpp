@@ -10,6 +10,7 @@
 #include <brdf/measured/BuiltInFormats.h>
 #include <brdf/measured/ScatteredText.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -162,6 +163,9 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
       const double raw = data.valid[i] ? value / kScale[channel] : kInvalid;
       std::memcpy(bytes.data() + kHeaderBytes + 8 * (channel * cells + i), &raw, 8);
     }
+  const auto extrapolated = std::count(data.valid.begin(), data.valid.end(), stateByte(CellState::Extrapolated));
+  if (extrapolated > 0)
+    report.losses.push_back(std::to_string(extrapolated) + " extrapolated cells will read as measured ones");
   if (negative > 0) report.losses.push_back(std::to_string(negative) + " negative values will read as invalid cells");
   writeBytes(path, bytes);
   return report;

@@ -38,9 +38,11 @@ void run(const Output& output, const Values& values) {
   const bool container = values.format == kContainer ||
                          (values.format.empty() && std::filesystem::path(values.out).extension() == ".vtkhdf");
   if (container)
-    writeContainer(values.out, "material", *loaded.brdf, makeProvenance(loaded.report, "convert"));
+    writeContainer(values.out, "material", *loaded.brdf, makeProvenance(loaded.report, "convert"), loaded.components);
   else
     written = writeMeasured(*loaded.brdf, values.out, values.format);
+  if (!container && !loaded.components.empty())
+    written.losses.push_back("components other than the front reflection: only a container keeps them");
 
   const LoadedMaterial again = loadMaterial(values.out);
   Json report = {{"in", values.in}, {"out", values.out}};

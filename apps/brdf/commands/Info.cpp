@@ -7,6 +7,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/LoadMaterial.h>
+#include <brdf/material/CellCounts.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/sampling/DirectionalAlbedo.h>
 
@@ -79,6 +80,52 @@ void addReadReport(const ReadReport& report, bool data, TextTable& table, Json& 
   json["warnings"] = report.warnings;
 }
 
+/// Whether cells and samples are measured, extrapolated or invalid, and the axes that they lie on.
+void addCells(const Brdf& brdf, TextTable& table, Json& json) {
+  const auto counts = countCells(brdf);
+  if (!counts) return;
+  if (!counts->layout.empty()) {
+    table.row({"axes", counts->layout});
+    json["axes"] = counts->layout;
+  }
+  table.row({counts->layout.empty() ? "data" : "cells",
+             std::to_string(counts->measured) + " measured, " + std::to_string(counts->extrapolated) +
+                 " extrapolated, " + std::to_string(counts->invalid) + " invalid; " +
+                 std::to_string(counts->belowHorizon) + " of all below the horizon"});
+  json["cells"] = {{"measured", counts->measured},
+                   {"extrapolated", counts->extrapolated},
+                   {"invalid", counts->invalid},
+                   {"below_horizon", counts->belowHorizon}};
+}
+
+std::string angleRange(const std::vector<double>& thetaI) {
+  return std::to_string(thetaI.size()) + " angles, " + formatNumber(degrees(thetaI.front()), 4) + " to " +
+         formatNumber(degrees(thetaI.back()), 4) + " deg";
+}
+
+/// What the material has besides its front reflection; nothing of it is drawn or rendered yet.
+void addComponents(const Components& components, TextTable& table, Json& json) {
+  if (components.empty()) return;
+  Json list = Json::array();
+  const auto add = [&](const std::string& name, const std::string& text) {
+    table.row({"component", name + ": " + text});
+    list.push_back({{"component", name}, {"content", text}});
+  };
+  for (const ScatterComponent& part : components.scatter) {
+    const auto counts = countCells(*part.brdf);
+    add(std::string(componentName(part.kind)),
+        counts && !counts->layout.empty() ? counts->layout : part.brdf->description());
+  }
+  for (const SpecularComponent& part : components.specular)
+    add("specular " + std::string(componentName(part.kind)),
+        angleRange(part.thetaI) + ", " + listText(part.values) + " of the incident power");
+  for (const TotalScatter& part : components.totals)
+    add("total " + std::string(componentName(part.kind)),
+        "as the file states it, " + angleRange(part.thetaI) + ", " + listText(part.values));
+  table.row({"note", "components are kept and converted to containers; they are not drawn or rendered yet"});
+  json["components"] = list;
+}
+
 void run(const Output& output, const std::string& material) {
   const LoadedMaterial loaded = loadMaterial(material, assumptions());
   const Brdf& brdf = *loaded.brdf;
@@ -93,6 +140,8 @@ void run(const Output& output, const std::string& material) {
   json["channels"] = brdf.channels().count();
   json["wavelengths_nm"] = brdf.channels().wavelengths;
   addReadReport(loaded.report, brdf.samples() != nullptr, table, json);
+  addCells(brdf, table, json);
+  addComponents(loaded.components, table, json);
   table.row({"symmetry", symmetryText(brdf.symmetry())});
   table.row({"values", "1/sr without the cosine; 0 below the horizon"});
   json["symmetry"] = symmetryText(brdf.symmetry());
