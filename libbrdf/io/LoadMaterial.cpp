@@ -64,7 +64,7 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
 
 /// `which` empty: the file's only, or first, BRDF.
 LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view which, const ReadOptions& options) {
-  if (Container::recognises(readFileHead(path, 16))) return loadContainer(path, which, options);
+  if (!std::filesystem::is_directory(path) && Container::recognises(readFileHead(path, 16))) return loadContainer(path, which, options);
   if (!which.empty() && which != "0")
     throw Error(Error::Kind::Value,
                 {"the file holds one BRDF", path.string(), "#" + std::string(which), "#0, or none"});

@@ -178,11 +178,14 @@ ScatteredBrdf::ScatteredBrdf(ScatteredSamples samples, std::string description)
     : data_(std::move(samples)), description_(std::move(description)) {
   const std::size_t count = data_.pairs.size(), channelCount = data_.channels.count();
   if (data_.valid.empty()) data_.valid.assign(count, 1);
-  if (data_.values.size() != channelCount * count || data_.valid.size() != count)
+  const std::size_t expected = channelCount * count, uncertainties = data_.uncertainty.size();
+  if (data_.values.size() != expected || data_.valid.size() != count ||
+      (uncertainties != 0 && uncertainties != expected))
     throw Error(Error::Kind::Value,
                 {"arrays of different lengths", "scattered samples",
-                 std::to_string(data_.values.size()) + " values and " + std::to_string(data_.valid.size()) + " flags",
-                 std::to_string(channelCount * count) + " and " + std::to_string(count)});
+                 std::to_string(data_.values.size()) + " values, " + std::to_string(uncertainties) +
+                     " uncertainties and " + std::to_string(data_.valid.size()) + " flags",
+                 std::to_string(expected) + " (uncertainties: or none) and " + std::to_string(count)});
   bool any = false;
   for (std::size_t i = 0; i < count; ++i) {
     bool usable = data_.valid[i] && data_.pairs.wi[2][i] > 0 && data_.pairs.wo[2][i] > 0;

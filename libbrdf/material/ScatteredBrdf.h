@@ -17,6 +17,8 @@ struct ScatteredSamples {
   std::vector<double> values;  ///< 1/sr without the cosine, planar: channel c of sample i at [c * pairs.size() + i]
   std::vector<std::uint8_t> valid;  ///< 1 where the sample is a measurement; empty: all are
   bool isotropic = true;            ///< the surface may be turned about its normal, and mirrored
+  /// Uncertainty of each value, as `values` is (1/sr, planar); what kind, the reader's report says. Empty: not known.
+  std::vector<double> uncertainty;
 };
 
 /// A BRDF known at scattered direction pairs. `samples()` gives them in their own order; `evaluate` interpolates.

@@ -4,12 +4,19 @@
 namespace brdf {
 
 // The formats that ship, one function a file; Format.cpp lists them.
-Format merlFormat();      ///< MerlFormat.cpp
-Format cornellFormat();   ///< CornellFormat.cpp
-Format csvFormat();       ///< CsvFormat.cpp
-Format utiaFormat();      ///< UtiaFormat.cpp
-Format utiaExrFormat();   ///< UtiaFormat.cpp
-Format csailFormat();     ///< CsailFormat.cpp
-Format carPaintFormat();  ///< CarPaintFormat.cpp
+Format merlFormat();           ///< MerlFormat.cpp
+Format cornellFormat();        ///< CornellFormat.cpp
+Format csvFormat();            ///< CsvFormat.cpp
+Format utiaFormat();           ///< UtiaFormat.cpp
+Format utiaExrFormat();        ///< UtiaFormat.cpp
+Format csailFormat();          ///< CsailFormat.cpp
+Format carPaintFormat();       ///< CarPaintFormat.cpp
+Format altaFormat();           ///< AltaFormat.cpp
+Format altaBinaryFormat();     ///< AltaFormat.cpp
+Format astmFormat();           ///< AstmFormat.cpp
+Format pabFormat();            ///< PabFormat.cpp
+Format birdFormat();           ///< BirdFormat.cpp
+Format brdfLabTextFormat();    ///< BrdfLabText.cpp
+Format brdfLabExportFormat();  ///< BrdfLabText.cpp
 
 }  // namespace brdf

@@ -5,6 +5,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/SampleRows.h>
 #include <brdf/measured/ScatteredText.h>
 
 #include <algorithm>
@@ -49,57 +50,34 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   NumberReader numbers(withoutByteOrderMark(bytes), path);
   ReadReport report;
   const bool inDegrees = choose(options, AngleUnit::Radians, "the format's definition", report) == AngleUnit::Degrees;
-  ScatteredSamples samples;
-  samples.channels = Channels::spectral(readWavelengths(numbers));
-  const std::size_t channelCount = samples.channels.count();
-
-  std::vector<double> records;  // the values of a sample together, as in the file
-  std::vector<DirectionPair> pairs;
+  const Channels channels = Channels::spectral(readWavelengths(numbers));
+  const std::size_t channelCount = channels.count();
+  SampleRows rows(channelCount);
+  std::vector<double> values(channelCount);
   double largestAngle = 0;
   while (numbers.more()) {
     double angle[4];
     for (double& value : angle) {
       value = numbers.next("an angle");
-      if (!std::isfinite(value)) numbers.fail("an angle is not finite", formatNumber(value), "radians");
+      if (!std::isfinite(value)) numbers.fail("an angle is not finite", formatNumber(value), "a number");
       if (inDegrees) value = radians(value);
       largestAngle = std::max(largestAngle, std::abs(value));
     }
-    pairs.push_back({fromSpherical(angle[0], angle[1]), fromSpherical(angle[2], angle[3])});
-    for (std::size_t channel = 0; channel < channelCount; ++channel) records.push_back(numbers.next("a BRDF value"));
+    for (double& value : values) value = numbers.next("a BRDF value");
+    rows.add({fromSpherical(angle[0], angle[1]), fromSpherical(angle[2], angle[3])}, values);
   }
-  if (pairs.empty()) numbers.fail("the file holds no sample", {}, {});
-
-  const std::size_t count = pairs.size();
-  samples.pairs.resize(count);
-  samples.values.resize(records.size());
-  for (std::size_t i = 0; i < count; ++i) {
-    samples.pairs.set(i, pairs[i].wi, pairs[i].wo);
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
-      samples.values[channel * count + i] = records[i * channelCount + channel];
-  }
+  if (rows.empty()) numbers.fail("the file holds no sample", {}, {});
   if (!inDegrees && largestAngle > 2 * kPi * (1 + 1e-6))
     report.warnings.push_back("angles up to " + formatNumber(largestAngle, 6) +
                               ": this format has radians, the file looks like degrees (option angles=degrees)");
   report.assumptions.push_back("between samples: moving least squares over the nearest");
-  return finishScattered(std::move(samples), path, std::move(report), options);
+  return finishScattered(rows.samples(channels, true), path, std::move(report), options);
 }
 
 WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
   WriteReport report;
   const ScatteredSamples samples = collectSamples(brdf, report);
-  // The format is spectral: other channels are written at stand-in wavelengths (for RGB, blue first, the dominant
-  // wavelengths of the sRGB primaries).
-  std::vector<double> wavelengths = samples.channels.wavelengths;
-  std::vector<std::size_t> order(samples.channels.count());
-  for (std::size_t channel = 0; channel < order.size(); ++channel) order[channel] = channel;
-  if (samples.channels.kind == Channels::Kind::Rgb) {
-    wavelengths = {464.2, 549.1, 611.4};
-    order = {2, 1, 0};
-    report.losses.push_back("colour: blue, green and red are written as values at 464.2, 549.1 and 611.4 nm");
-  } else if (samples.channels.kind == Channels::Kind::Monochrome) {
-    wavelengths = {555};
-    report.losses.push_back("the one channel is written as values at 555 nm");
-  }
+  const auto [wavelengths, order] = spectralColumns(samples.channels, report);
   if (brdf.symmetry() == Symmetry::Anisotropic)
     report.losses.push_back("symmetry: the format's readers take the surface for isotropic");
 

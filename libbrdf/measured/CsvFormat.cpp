@@ -1,11 +1,17 @@
-// Comma-separated scattered samples, the layout of `brdf eval --out`: a header line with the columns wi_x, wi_y, wi_z,
-// wo_x, wo_y, wo_z, value_0, ... in any order, then one sample a line; f_r in 1/sr without the cosine. Lines that start
-// with '#' are comments; "# wavelengths_nm: 400 410 ..." makes the channels spectral and "# isotropic" says that the
-// surface may be turned about its normal.
+// Comma-separated scattered samples, the layout of `brdf eval --out`: a header line, then one sample a line. Columns in
+// any order: the directions as wi_x, wi_y, wi_z, wo_x, wo_y, wo_z or as angles theta_i, phi_i, theta_o, phi_o (phi_i
+// may be missing: 0), the values value_0, value_1, ..., and uncertainty_0, ... where known. Lines that start with '#'
+// are comments, except
+//   # wavelengths_nm: 400 410 ...   the channels are spectral
+//   # isotropic                     the surface may be turned about its normal
+//   # quantity: brdf_cos            any of the read options' keys and values (ReadOptions.h) but incident and sides;
+//                                   without: brdf, degrees, anisotropic, linear_srgb
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/LineReader.h>
+#include <brdf/measured/SampleRows.h>
 #include <brdf/measured/ScatteredText.h>
 
 #include <algorithm>
@@ -15,71 +21,68 @@
 namespace brdf {
 namespace {
 
-constexpr std::array<std::string_view, 6> kDirectionColumns{"wi_x", "wi_y", "wi_z", "wo_x", "wo_y", "wo_z"};
+constexpr std::array<std::string_view, 6> kVectorColumns{"wi_x", "wi_y", "wi_z", "wo_x", "wo_y", "wo_z"};
+constexpr std::array<std::string_view, 4> kAngleColumns{"theta_i", "phi_i", "theta_o", "phi_o"};
 constexpr std::string_view kWavelengthsKey = "# wavelengths_nm:";
 constexpr std::string_view kIsotropicKey = "# isotropic";
-constexpr std::size_t kIgnored = ~std::size_t{0};
+constexpr std::string_view kValue = "value_", kUncertainty = "uncertainty_";
+constexpr std::size_t kMissing = ~std::size_t{0};
+constexpr std::size_t kMostChannels = 10000;
 
-class Lines {
- public:
-  Lines(std::string_view text, const std::filesystem::path& path) : text_(text), path_(path) {}
-  /// The next line that is not blank, trimmed; false at the end.
-  bool next(std::string_view& line) {
-    while (!text_.empty()) {
-      const std::size_t end = std::min(text_.find('\n'), text_.size());
-      line = trimmed(text_.substr(0, end));
-      text_.remove_prefix(std::min(end + 1, text_.size()));
-      ++number_;
-      if (!line.empty()) return true;
-    }
-    return false;
-  }
-  [[noreturn]] void fail(std::string what, std::string found, std::string allowed) const {
-    throw Error(Error::Kind::Format, {std::move(what), path_.string() + ", line " + std::to_string(number_),
-                                      std::move(found), std::move(allowed)});
-  }
-
- private:
-  std::string_view text_;
-  const std::filesystem::path& path_;
-  std::size_t number_ = 0;
-};
-
-/// What each column holds: 0 to 5 a direction component, 6 + c channel c, or kIgnored.
+/// Where each number of a sample stands in a line.
 struct Columns {
-  std::vector<std::size_t> meaning;
-  std::size_t channels = 0;
+  std::size_t count = 0;                         ///< columns of a line
+  std::array<std::size_t, 6> vectors;            ///< of kVectorColumns; unused where there are angles
+  std::array<std::size_t, 4> angles;             ///< of kAngleColumns
+  std::vector<std::size_t> values, uncertainty;  ///< by channel; uncertainty as many, or none
+  bool byAngles = false;
 };
 
-Columns readHeader(const Lines& lines, std::string_view header, ReadReport& report) {
+Columns readHeader(const LineReader& lines, std::string_view header, ReadReport& report) {
   Columns columns;
-  std::vector<bool> seen;
+  columns.vectors.fill(kMissing);
+  columns.angles.fill(kMissing);
+  const auto numbered = [&](std::string_view name, std::vector<std::size_t>& list) -> std::size_t& {
+    const auto channel = parseNumber(name.substr(name.find('_') + 1));
+    if (!channel || !(*channel >= 0 && *channel < kMostChannels) || *channel != std::floor(*channel))
+      lines.fail("wrong column name", std::string(name.substr(0, 40)), "value_0, value_1, ...");
+    const auto index = static_cast<std::size_t>(*channel);
+    if (index >= list.size()) list.resize(index + 1, kMissing);
+    return list[index];
+  };
   for (const std::string_view name : split(header, ',')) {
-    std::size_t meaning = kIgnored;
-    const auto component = std::find(kDirectionColumns.begin(), kDirectionColumns.end(), name);
-    if (component != kDirectionColumns.end()) {
-      meaning = static_cast<std::size_t>(component - kDirectionColumns.begin());
-    } else if (name.starts_with("value_")) {
-      const auto channel = parseNumber(name.substr(6));
-      if (!channel || *channel < 0 || *channel > 9999 || *channel != std::floor(*channel))
-        lines.fail("wrong column name", std::string(name), "value_0, value_1, ...");
-      meaning = 6 + static_cast<std::size_t>(*channel);
-    } else {
-      report.warnings.push_back("column \"" + std::string(name) + "\" is ignored");
-    }
-    columns.meaning.push_back(meaning);
-    if (meaning == kIgnored) continue;
-    if (meaning >= seen.size()) seen.resize(meaning + 1, false);
-    if (seen[meaning]) lines.fail("a column stands twice", std::string(name), {});
-    seen[meaning] = true;
+    const auto component = std::find(kVectorColumns.begin(), kVectorColumns.end(), name);
+    const auto angle = std::find(kAngleColumns.begin(), kAngleColumns.end(), name);
+    std::size_t* place = nullptr;
+    if (component != kVectorColumns.end())
+      place = &columns.vectors[static_cast<std::size_t>(component - kVectorColumns.begin())];
+    else if (angle != kAngleColumns.end())
+      place = &columns.angles[static_cast<std::size_t>(angle - kAngleColumns.begin())];
+    else if (name.starts_with(kValue))
+      place = &numbered(name, columns.values);
+    else if (name.starts_with(kUncertainty))
+      place = &numbered(name, columns.uncertainty);
+    else
+      report.warnings.push_back("column \"" + std::string(name.substr(0, 40)) + "\" is ignored");
+    if (place && *place != kMissing) lines.fail("a column stands twice", std::string(name.substr(0, 40)), {});
+    if (place) *place = columns.count;
+    ++columns.count;
   }
-  if (seen.size() < 7 || !std::all_of(seen.begin(), seen.end(), [](bool s) { return s; }))
-    lines.fail("a column is missing", std::string(header.substr(0, 80)), joined(kDirectionColumns) + ", value_0, ...");
-  columns.channels = seen.size() - 6;
+  const auto complete = [](const auto& list) { return std::find(list.begin(), list.end(), kMissing) == list.end(); };
+  columns.byAngles = !complete(columns.vectors);
+  if (columns.angles[1] == kMissing && columns.angles[0] != kMissing && columns.byAngles)
+    columns.angles[1] = columns.count;  // a column of zeros behind the line
+  if ((columns.byAngles && !complete(columns.angles)) || columns.values.empty() || !complete(columns.values) ||
+      !complete(columns.uncertainty))
+    lines.fail("a column is missing", std::string(header.substr(0, 80)),
+               joined(kVectorColumns) + " (or " + joined(kAngleColumns) + "), value_0, ...");
+  if (!columns.uncertainty.empty() && columns.uncertainty.size() != columns.values.size())
+    lines.fail("uncertainties and values do not match", std::to_string(columns.uncertainty.size()) + " columns",
+               std::to_string(columns.values.size()));
   return columns;
 }
 
-Channels channelsFor(const Lines& lines, std::size_t count, std::vector<double> wavelengths) {
+Channels channelsFor(const LineReader& lines, std::size_t count, std::vector<double> wavelengths) {
   if (!wavelengths.empty()) {
     if (wavelengths.size() != count || !std::is_sorted(wavelengths.begin(), wavelengths.end(), std::less_equal<>()))
       lines.fail("wavelengths and value columns do not match", std::to_string(wavelengths.size()) + " wavelengths",
@@ -96,72 +99,133 @@ Channels channelsFor(const Lines& lines, std::size_t count, std::vector<double> 
 int recognise(std::string_view head, std::uint64_t) {
   head = withoutByteOrderMark(head);
   while (head.starts_with('#')) head.remove_prefix(std::min(head.find('\n'), head.size() - 1) + 1);
-  const std::string_view header = head.substr(0, head.find('\n'));
-  for (const std::string_view name : split(header, ','))
-    if (name == "wi_x") return 90;
-  return 0;
+  bool directions = false, values = false;
+  for (const std::string_view name : split(head.substr(0, head.find('\n')), ',')) {
+    directions = directions || name == kVectorColumns[0] || name == kAngleColumns[0];
+    values = values || name.starts_with(kValue);
+  }
+  return directions && values ? 90 : directions ? 50 : 0;
 }
 
-ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
-  Lines lines(withoutByteOrderMark(bytes), path);
-  ReadReport report;
-  ScatteredSamples samples;
-  samples.isotropic = false;
+/// "# key: value" of a read option, as the text that parseReadOptions takes; empty when the comment is none.
+std::string statedOption(std::string_view comment) {
+  const std::size_t colon = comment.find(':');
+  if (colon == std::string_view::npos) return {};
+  const std::string_view key = trimmed(comment.substr(1, colon - 1));
+  for (const ReadOptionKey& known : readOptionKeys())
+    if (known.key == key && key != "incident" && key != "sides")
+      return std::string(key) + "=" + std::string(trimmed(comment.substr(colon + 1)));
+  return {};
+}
+
+/// What the lines above the header say.
+struct Preamble {
   std::vector<double> wavelengths;
-  std::string_view line;
+  ReadOptions stated;
+};
+
+Preamble readPreamble(LineReader& lines, std::string_view& line) {
+  Preamble preamble;
+  std::vector<std::string> stated;
   bool header = false;
   while (!header && lines.next(line)) {
     if (line.starts_with(kWavelengthsKey)) {
       for (const std::string_view item : split(line.substr(kWavelengthsKey.size()), ' '))
-        if (const auto value = parseNumber(item)) wavelengths.push_back(*value);
+        if (!item.empty()) preamble.wavelengths.push_back(lines.number(item, "a wavelength"));
     } else if (line == kIsotropicKey) {
-      samples.isotropic = true;
+      preamble.stated.symmetry = Symmetry::Isotropic;
+    } else if (line.starts_with('#')) {
+      if (std::string option = statedOption(line); !option.empty()) stated.push_back(std::move(option));
     } else {
-      header = !line.starts_with('#');
+      header = true;
     }
   }
-  if (!header) lines.fail("the file holds no header line", {}, joined(kDirectionColumns) + ", value_0, ...");
-  const Columns columns = readHeader(lines, line, report);
-  samples.channels = channelsFor(lines, columns.channels, std::move(wavelengths));
+  if (!header) lines.fail("the file holds no header line", {}, joined(kVectorColumns) + ", value_0, ...");
+  try {
+    const auto symmetry = preamble.stated.symmetry;
+    preamble.stated = parseReadOptions(stated);
+    if (!preamble.stated.symmetry) preamble.stated.symmetry = symmetry;
+  } catch (const Error& error) {
+    lines.fail("a line above says what is not known", error.details().found, error.details().allowed);
+  }
+  return preamble;
+}
 
-  std::vector<double> records;  // six direction components and the values of a sample together
-  const std::size_t width = 6 + columns.channels;
+/// The unit vector of three columns, scaled when it is nearly one.
+Direction unitVector(const LineReader& lines, const double* w, std::size_t& scaled) {
+  const double length = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
+  if (!(std::abs(length - 1) < 1e-2)) lines.fail("a direction is not of unit length", formatNumber(length, 6), "1");
+  if (std::abs(length - 1) < 1e-6) return {w[0], w[1], w[2]};
+  ++scaled;
+  return {w[0] / length, w[1] / length, w[2] / length};
+}
+
+ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
+  LineReader lines(bytes, path);
+  ReadReport report;
+  std::string_view line;
+  Preamble preamble = readPreamble(lines, line);
+  const ReadOptions& stated = preamble.stated;
+  const Columns columns = readHeader(lines, line, report);
+  const std::size_t channelCount = columns.values.size();
+  const Channels channels = channelsFor(lines, channelCount, std::move(preamble.wavelengths));
+  const auto evidence = [](bool said) { return said ? "the file says so" : "the format's definition"; };
+  if (!columns.byAngles && options.angles)
+    throw Error(Error::Kind::Value,
+                {"the file's directions are vectors", path.string(), "option angles", "no such option"});
+  double toRadians = 1;
+  if (columns.byAngles && choose(options, stated.angles.value_or(AngleUnit::Degrees),
+                                 evidence(stated.angles.has_value()), report) == AngleUnit::Degrees)
+    toRadians = radians(1);
+
+  SampleRows rows(channelCount);
+  std::vector<double> numbers(columns.count + 1), values(channelCount), uncertainty(columns.uncertainty.size());
+  std::vector<bool> wanted(columns.count, false);
+  for (const std::size_t column : columns.values) wanted[column] = true;
+  for (const std::size_t column : columns.uncertainty) wanted[column] = true;
+  const auto want = [&](const auto& list) {
+    for (const std::size_t column : list)
+      if (column < columns.count) wanted[column] = true;
+  };
+  if (columns.byAngles)
+    want(columns.angles);
+  else
+    want(columns.vectors);
   std::size_t scaled = 0;
   while (lines.next(line)) {
     if (line.starts_with('#')) continue;
     const auto cells = split(line, ',');
-    if (cells.size() != columns.meaning.size())
-      lines.fail("wrong number of columns", std::to_string(cells.size()), std::to_string(columns.meaning.size()));
-    records.resize(records.size() + width);
-    double* record = records.data() + records.size() - width;
-    for (std::size_t column = 0; column < cells.size(); ++column) {
-      if (columns.meaning[column] == kIgnored) continue;
-      const auto value = parseNumber(cells[column]);
-      if (!value) lines.fail("no number", "\"" + std::string(cells[column].substr(0, 40)) + "\"", {});
-      record[columns.meaning[column]] = *value;
+    if (cells.size() != columns.count)
+      lines.fail("wrong number of columns", std::to_string(cells.size()), std::to_string(columns.count));
+    for (std::size_t column = 0; column < columns.count; ++column)
+      if (wanted[column]) numbers[column] = lines.number(cells[column], "a sample");
+    for (std::size_t channel = 0; channel < channelCount; ++channel) values[channel] = numbers[columns.values[channel]];
+    for (std::size_t channel = 0; channel < uncertainty.size(); ++channel)
+      uncertainty[channel] = numbers[columns.uncertainty[channel]];
+    double w[6];
+    for (std::size_t k = 0; k < (columns.byAngles ? 4u : 6u); ++k) {
+      w[k] = numbers[columns.byAngles ? columns.angles[k] : columns.vectors[k]];
+      if (columns.byAngles && !std::isfinite(w[k]))
+        lines.fail("an angle is not finite", formatNumber(w[k]), "a number");
     }
-    for (double* w : {record, record + 3}) {
-      const double length = std::sqrt(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
-      if (!(std::abs(length - 1) < 1e-2)) lines.fail("a direction is not of unit length", formatNumber(length, 6), "1");
-      if (std::abs(length - 1) < 1e-6) continue;
-      ++scaled;
-      for (std::size_t axis = 0; axis < 3; ++axis) w[axis] /= length;
-    }
+    if (columns.byAngles)
+      rows.add({fromSpherical(toRadians * w[0], toRadians * w[1]), fromSpherical(toRadians * w[2], toRadians * w[3])},
+               values, uncertainty);
+    else
+      rows.add({unitVector(lines, w, scaled), unitVector(lines, w + 3, scaled)}, values, uncertainty);
   }
-  const std::size_t count = records.size() / width;
-  if (count == 0) lines.fail("the file holds no sample", {}, {});
+  if (rows.empty()) lines.fail("the file holds no sample", {}, {});
 
-  samples.pairs.resize(count);
-  samples.values.resize(columns.channels * count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double* record = records.data() + i * width;
-    samples.pairs.set(i, {record[0], record[1], record[2]}, {record[3], record[4], record[5]});
-    for (std::size_t channel = 0; channel < columns.channels; ++channel)
-      samples.values[channel * count + i] = record[6 + channel];
-  }
   if (scaled > 0) report.warnings.push_back(std::to_string(scaled) + " directions scaled to unit length");
   report.assumptions.push_back("between samples: moving least squares over the nearest");
-  return finishScattered(std::move(samples), path, std::move(report), options);
+  ScatteredSamples samples =
+      rows.samples(channels, stated.symmetry.value_or(Symmetry::Anisotropic) == Symmetry::Isotropic);
+  toLinearSrgb(samples, options, stated.colour.value_or(ColourSpace::LinearSrgb), evidence(stated.colour.has_value()),
+               report);
+  ReadOptions said = options;
+  if (!said.invalid) said.invalid = stated.invalid;
+  return finishScattered(std::move(samples), path, std::move(report), said, stated.quantity.value_or(Quantity::Brdf),
+                         evidence(stated.quantity.has_value()), evidence(stated.symmetry.has_value()));
 }
 
 WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
@@ -174,9 +238,12 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
     text += "\n";
   }
   if (samples.isotropic) text += std::string(kIsotropicKey) + "\n";
-  text += joined(kDirectionColumns, ",");
+  text += joined(kVectorColumns, ",");
   for (std::size_t channel = 0; channel < samples.channels.count(); ++channel)
     text += ",value_" + std::to_string(channel);
+  if (!samples.uncertainty.empty())
+    for (std::size_t channel = 0; channel < samples.channels.count(); ++channel)
+      text += ",uncertainty_" + std::to_string(channel);
   text += "\n";
   const std::size_t count = samples.pairs.size();
   for (std::size_t i = 0; i < count; ++i) {
@@ -185,6 +252,8 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
       text += formatNumber(samples.pairs.wo[axis][i]) + (axis < 2 ? "," : "");
     for (std::size_t channel = 0; channel < samples.channels.count(); ++channel)
       text += "," + formatNumber(samples.values[channel * count + i]);
+    for (std::size_t at = i; at < samples.uncertainty.size(); at += count)
+      text += "," + formatNumber(samples.uncertainty[at]);
     text += "\n";
   }
   writeBytes(path, text);
@@ -194,7 +263,10 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
 }  // namespace
 
 Format csvFormat() {
-  return {"csv", "Comma-separated direction pairs and values", ".csv", recognise, read, write, scatteredOptions()};
+  Format format{
+      "csv", "Comma-separated direction pairs and values", ".csv", recognise, read, write, scatteredOptions()};
+  format.takes.insert(format.takes.end(), {"angles", "colour"});
+  return format;
 }
 
 }  // namespace brdf

@@ -12,8 +12,25 @@ namespace {
 constexpr std::size_t kHeadBytes = 8192;
 
 std::vector<Format>& registry() {
-  static std::vector<Format> formats{merlFormat(),    cornellFormat(), csvFormat(),     utiaFormat(),
-                                     utiaExrFormat(), csailFormat(),   carPaintFormat()};
+  // One a line: additions then merge.
+  // clang-format off
+  static std::vector<Format> formats{
+      merlFormat(),
+      cornellFormat(),
+      csvFormat(),
+      utiaFormat(),
+      utiaExrFormat(),
+      csailFormat(),
+      carPaintFormat(),
+      altaFormat(),
+      altaBinaryFormat(),
+      astmFormat(),
+      pabFormat(),
+      birdFormat(),
+      brdfLabTextFormat(),
+      brdfLabExportFormat(),
+  };
+  // clang-format on
   return formats;
 }
 
@@ -30,24 +47,102 @@ std::string shown(std::string_view head) {
   return "\"" + text + "\"";
 }
 
-/// The format that recognises the content; where none does, one that the extension names, whose reader then says what
-/// is wrong.
-const Format& recognise(std::string_view bytes, const std::filesystem::path& path) {
+/// The format that is surest that the head is its own, or null.
+const Format* bestFormat(std::string_view head, std::uint64_t size) {
   const Format* best = nullptr;
   int bestScore = 0;
   for (const Format& format : registry()) {
-    const int score = format.recognise(bytes.substr(0, kHeadBytes), bytes.size());
+    const int score = format.recognise(head, size);
     if (score > bestScore) {
       best = &format;
       bestScore = score;
     }
   }
-  if (best) return *best;
+  return best;
+}
+
+/// The format that recognises the content; where none does, one that the extension names, whose reader then says what
+/// is wrong.
+const Format& recognise(std::string_view bytes, const std::filesystem::path& path) {
+  if (const Format* best = bestFormat(bytes.substr(0, kHeadBytes), bytes.size())) return *best;
   if (bytes.empty()) throw Error(Error::Kind::Format, {"the file is empty", path.string(), "0 bytes", {}});
   for (const Format& format : registry())
     if (format.extension == path.extension()) return format;
   throw Error(Error::Kind::Format,
               {"no format recognises the content", path.string(), shown(bytes), "one of " + joined(names())});
+}
+
+/// The regular files of a folder in alphabetical order, hidden ones left out.
+std::vector<std::filesystem::path> filesOf(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> files;
+  std::error_code code;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, code))
+    if (entry.is_regular_file(code) && !entry.path().filename().string().starts_with('.'))
+      files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// The format of one file an incidence that recognises every file of the folder.
+const Format& recogniseFolder(const std::vector<std::filesystem::path>& files, const std::filesystem::path& folder) {
+  const Format* common = nullptr;
+  for (const auto& file : files) {
+    const std::string head = readFileHead(file, kHeadBytes);
+    std::error_code ignored;
+    const Format* format = bestFormat(head, std::filesystem::file_size(file, ignored));
+    if (!format || !format->readFolder || (common && format != common)) {
+      common = nullptr;
+      break;
+    }
+    common = format;
+  }
+  if (!common)
+    throw Error(Error::Kind::File, {"cannot be read", folder.string(), "a folder",
+                                    "a file, or a folder of files that hold one incidence each (pab)"});
+  return *common;
+}
+
+void checkOptions(const Format& format, const std::filesystem::path& path, const ReadOptions& options) {
+  for (const std::string& key : options.keys())
+    if (std::find(format.takes.begin(), format.takes.end(), key) == format.takes.end())
+      throw Error(Error::Kind::Value, {"this assumption has no meaning for the format " + format.name, path.string(),
+                                       key, format.takes.empty() ? "none" : joined(format.takes)});
+}
+
+ReadResult readFolder(const std::filesystem::path& folder, const ReadOptions& options, std::string& name) {
+  const auto paths = filesOf(folder);
+  const Format& format = recogniseFolder(paths, folder);
+  checkOptions(format, folder, options);
+  std::vector<NamedBytes> files;
+  std::uint64_t left = std::uint64_t{4} << 30;
+  for (const auto& path : paths) {
+    files.push_back({path, readFile(path, left)});
+    left -= files.back().bytes.size();
+  }
+  name = format.name;
+  return format.readFolder(files, folder, options);
+}
+
+/// Writes a folder, which must be empty or not be there, and puts it in place when it is complete.
+WriteReport writeFolder(const Format& format, const Brdf& brdf, std::filesystem::path folder) {
+  if (!folder.has_filename()) folder = folder.parent_path();
+  std::error_code code;
+  if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder, code))
+    throw Error(Error::Kind::File,
+                {"cannot be written", folder.string(), "a folder with files", "an empty or new folder"});
+  const std::filesystem::path temporary = folder.string() + ".part";
+  if (!std::filesystem::create_directory(temporary, code))
+    throw Error(Error::Kind::File,
+                {"cannot be written", folder.string(), code ? code.message() : temporary.string() + " is there", {}});
+  try {
+    WriteReport report = format.writeFolder(brdf, temporary);
+    std::filesystem::rename(temporary, folder, code);
+    if (code) throw Error(Error::Kind::File, {"cannot be written", folder.string(), code.message(), {}});
+    return report;
+  } catch (...) {
+    std::filesystem::remove_all(temporary, code);
+    throw;
+  }
 }
 
 }  // namespace
@@ -71,14 +166,18 @@ const Format& findFormat(std::string_view name) {
 }
 
 ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string bytes = readFile(path);
-  const Format& format = recognise(bytes, path);
-  for (const std::string& key : options.keys())
-    if (std::find(format.takes.begin(), format.takes.end(), key) == format.takes.end())
-      throw Error(Error::Kind::Value, {"this assumption has no meaning for the format " + format.name, path.string(),
-                                       key, format.takes.empty() ? "none" : joined(format.takes)});
-  ReadResult result = format.read(bytes, path, options);
-  result.report.format = format.name;
+  std::string name;
+  ReadResult result;
+  if (std::filesystem::is_directory(path)) {
+    result = readFolder(path, options, name);
+  } else {
+    const std::string bytes = readFile(path);
+    const Format& format = recognise(bytes, path);
+    checkOptions(format, path, options);
+    name = format.name;
+    result = format.read(bytes, path, options);
+  }
+  result.report.format = name;
   result.report.source = path.string();
   return result;
 }
@@ -100,6 +199,8 @@ WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, s
   }
   if (!chosen->write)
     throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen->name, joined(extensions)});
+  if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path)))
+    return writeFolder(*chosen, brdf, path);
   AtomicFile file(path);
   WriteReport report = chosen->write(brdf, file.temporaryPath());
   file.commit();

@@ -41,6 +41,12 @@ struct WriteReport {
   std::vector<std::string> losses;  ///< one sentence each: spectrum, anisotropy, validity, resolution
 };
 
+/// A file of a folder, already read.
+struct NamedBytes {
+  std::filesystem::path path;
+  std::string bytes;
+};
+
 /// A file format of measured (or tabulated) BRDFs: one record in the registry, one pair of files in measured/.
 struct Format {
   std::string name;       ///< short, lower case: "merl"
@@ -57,6 +63,12 @@ struct Format {
   std::function<WriteReport(const Brdf& brdf, const std::filesystem::path& path)> write;
   /// Keys of the read options that have a meaning for this format (readOptionKeys()); any other is refused.
   std::vector<std::string> takes{};
+  /// For formats of one file an incidence: reads the files of a folder as one BRDF, writes one into an empty folder.
+  /// Null for others.
+  std::function<ReadResult(std::span<const NamedBytes> files, const std::filesystem::path& folder,
+                           const ReadOptions& options)>
+      readFolder{};
+  std::function<WriteReport(const Brdf& brdf, const std::filesystem::path& folder)> writeFolder{};
 };
 
 /// All formats; ours first, then those registered from outside.
@@ -67,10 +79,12 @@ BRDF_EXPORT void registerFormat(Format format);
 BRDF_EXPORT const Format& findFormat(std::string_view name);
 
 /// Reads a measured file of any registered format, recognised by content. Throws Error::Kind::Format when no format
-/// recognises it, and Error::Kind::Value for an option that the format does not take.
+/// recognises it, and Error::Kind::Value for an option that the format does not take. A folder is read when a format of
+/// one file an incidence recognises every file in it (hidden ones left out).
 BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`.
+/// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`. A
+/// format of one file an incidence writes a folder when `path` is an empty one or ends with '/'.
 BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path,
                                       std::string_view format = {});
 

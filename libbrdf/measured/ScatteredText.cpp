@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
+#include <brdf/material/ChannelView.h>
 #include <brdf/measured/ScatteredText.h>
 
 #include <cerrno>
@@ -76,14 +77,16 @@ const std::vector<std::string>& scatteredOptions() {
 }
 
 ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path& path, ReadReport report,
-                           const ReadOptions& options, Quantity quantity, std::string_view evidence) {
+                           const ReadOptions& options, Quantity quantity, std::string_view quantityEvidence,
+                           std::string_view symmetryEvidence) {
+  constexpr std::string_view definition = "the format's definition";
   const std::size_t count = samples.pairs.size(), channelCount = samples.channels.count();
-  quantity = choose(options, quantity, evidence, report);
-  if (choose(options, Incident::AsStated, evidence, report) == Incident::Swapped)
+  quantity = choose(options, quantity, quantityEvidence, report);
+  if (choose(options, Incident::AsStated, definition, report) == Incident::Swapped)
     std::swap(samples.pairs.wi, samples.pairs.wo);
   const Symmetry stated = samples.isotropic ? Symmetry::Isotropic : Symmetry::Anisotropic;
-  samples.isotropic = choose(options, stated, evidence, report) == Symmetry::Isotropic;
-  const InvalidRule invalid = choose(options, InvalidRule::NotFinite, evidence, report);
+  samples.isotropic = choose(options, stated, symmetryEvidence, report) == Symmetry::Isotropic;
+  const InvalidRule invalid = choose(options, InvalidRule::NotFinite, definition, report);
   report.samples = count;
   samples.valid.assign(count, 1);
   for (std::size_t i = 0; i < count; ++i) {
@@ -94,7 +97,9 @@ ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path
       finite = finite && std::isfinite(value);
       negative = negative || value < 0;
       zero = zero || value == 0;
-      if (quantity != Quantity::Brdf) value *= factor;
+      if (quantity == Quantity::Brdf) continue;
+      value *= factor;
+      if (!samples.uncertainty.empty()) samples.uncertainty[channel * count + i] *= factor;
     }
     const bool missing =
         (negative && invalid != InvalidRule::NotFinite) || (zero && invalid == InvalidRule::NotPositive);
@@ -134,27 +139,83 @@ ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report) {
         std::to_string(pairs.size()) + " samples");
   }
 
+  const auto* scattered = dynamic_cast<const ScatteredBrdf*>(&brdf);
+  const bool uncertain = scattered && !scattered->data().uncertainty.empty();
   std::size_t kept = 0;
   const std::size_t count = pairs.size();
-  std::vector<double> packed;
   for (const std::uint8_t flag : valid) kept += flag;
   ScatteredSamples result{
-      brdf.channels(), DirectionPairBuffer<double>(kept), {}, {}, brdf.symmetry() != Symmetry::Anisotropic};
+      brdf.channels(), DirectionPairBuffer<double>(kept), {}, {}, brdf.symmetry() != Symmetry::Anisotropic, {}};
   result.values.resize(channelCount * kept);
+  if (uncertain) result.uncertainty.resize(channelCount * kept);
   for (std::size_t i = 0, to = 0; i < count; ++i) {
     if (!valid[i]) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.pairs.wi[axis][to] = pairs.wi[axis][i];
       result.pairs.wo[axis][to] = pairs.wo[axis][i];
     }
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
       result.values[channel * kept + to] = values[channel * count + i];
+      if (uncertain) result.uncertainty[channel * kept + to] = scattered->data().uncertainty[channel * count + i];
+    }
     ++to;
   }
   if (brdf.symmetry() == Symmetry::Bilateral)
     report.losses.push_back("symmetry: read back, pairs and their mirror images count as the same");
   if (kept < count) report.losses.push_back(std::to_string(count - kept) + " invalid samples left out");
   return result;
+}
+
+ScatteredSamples collectRgbSamples(const Brdf& brdf, WriteReport& report) {
+  const BrdfPointer borrowed(BrdfPointer{}, &brdf);
+  if (brdf.channels().kind == Channels::Kind::Spectral)
+    report.losses.push_back("spectrum: reduced to linear sRGB under D65");
+  return collectSamples(*asRgb(borrowed), report);
+}
+
+ScatteredSamples collectLuminanceSamples(const Brdf& brdf, WriteReport& report) {
+  const BrdfPointer borrowed(BrdfPointer{}, &brdf);
+  if (brdf.channels().count() > 1) report.losses.push_back("colour: reduced to luminance");
+  return collectSamples(*asLuminance(borrowed), report);
+}
+
+SpectralColumns spectralColumns(const Channels& channels, WriteReport& report) {
+  if (channels.kind == Channels::Kind::Rgb) {
+    report.losses.push_back("colour: blue, green and red are written as values at 464.2, 549.1 and 611.4 nm");
+    return {{464.2, 549.1, 611.4}, {2, 1, 0}};
+  }
+  if (channels.kind == Channels::Kind::Monochrome) {
+    report.losses.push_back("the one channel is written as values at 555 nm");
+    return {{555}, {0}};
+  }
+  SpectralColumns columns{channels.wavelengths, {}};
+  for (std::size_t channel = 0; channel < channels.count(); ++channel) columns.channels.push_back(channel);
+  return columns;
+}
+
+SampleAngles sampleAngles(const ScatteredSamples& samples, std::size_t i) {
+  const auto& [wi, wo] = samples.pairs;
+  const Spherical light = toSpherical({wi[0][i], wi[1][i], wi[2][i]});
+  const Spherical view = toSpherical({wo[0][i], wo[1][i], wo[2][i]});
+  if (!samples.isotropic) return {light.theta, light.phi, view.theta, view.phi};
+  return {light.theta, 0, view.theta, std::remainder(view.phi - light.phi, 2 * kPi)};
+}
+
+std::string_view azimuthEvidence(bool one) {
+  return one ? "all samples have one phi_i" : "the samples have several phi_i";
+}
+
+bool oneIncidentAzimuth(const ScatteredSamples& samples) {
+  constexpr double tolerance = 1e-6;
+  const auto& wi = samples.pairs.wi;
+  Direction first{};
+  for (std::size_t i = 0; i < samples.pairs.size(); ++i) {
+    const Direction horizontal = normalized({wi[0][i], wi[1][i], 0});
+    if (std::hypot(wi[0][i], wi[1][i]) < tolerance) continue;
+    if (dot(first, first) == 0) first = horizontal;
+    if (dot(first, horizontal) < 1 - tolerance) return false;
+  }
+  return true;
 }
 
 void writeBytes(const std::filesystem::path& path, std::string_view bytes) {

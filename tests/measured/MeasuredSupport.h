@@ -4,6 +4,8 @@
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/Brdf.h>
 #include <brdf/material/SampleSet.h>
+#include <brdf/material/ScatteredBrdf.h>
+#include <brdf/measured/Format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -44,6 +46,20 @@ inline double glossy(const brdf::Direction& wi, const brdf::Direction& wo, std::
   const brdf::Direction h = brdf::normalized({wi[0] + wo[0], wi[1] + wo[1], wi[2] + wo[2]});
   const double tangent2 = (h[0] * h[0] + h[1] * h[1]) / (h[2] * h[2]);
   return 0.1 * (static_cast<double>(channel) + 1) + 3 * std::exp(-tangent2 / (0.2 * 0.2));
+}
+
+/// The scattered samples behind a BRDF just read.
+inline const brdf::ScatteredSamples& dataOf(const brdf::ReadResult& result) {
+  return dynamic_cast<const brdf::ScatteredBrdf&>(*result.brdf).data();
+}
+
+/// Expects the directions of sample i to a few roundings.
+inline void expectPair(const brdf::ScatteredSamples& data, std::size_t i, const brdf::Direction& wi,
+                       const brdf::Direction& wo) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    EXPECT_NEAR(data.pairs.wi[axis][i], wi[axis], 1e-15) << "sample " << i;
+    EXPECT_NEAR(data.pairs.wo[axis][i], wo[axis], 1e-15) << "sample " << i;
+  }
 }
 
 /// A fresh folder for the files of one test.

@@ -6,6 +6,7 @@
 
 namespace {
 
+using measuredtest::dataOf;
 using measuredtest::errorOf;
 using measuredtest::folder;
 
@@ -18,10 +19,6 @@ const std::string kCornell =
 brdf::ReadResult readText(const std::filesystem::path& dir, const std::string& name, const std::string& text) {
   brdf::writeFile(dir / name, text);
   return brdf::readMeasured(dir / name);
-}
-
-const brdf::ScatteredSamples& dataOf(const brdf::ReadResult& result) {
-  return dynamic_cast<const brdf::ScatteredBrdf&>(*result.brdf).data();
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ struct Values {
 };
 
 void run(const Output& output, const Values& values) {
-  checkWritable(values.out);
+  if (std::filesystem::path(values.out).has_filename()) checkWritable(values.out);  // else a folder of files
   const LoadedMaterial loaded = loadMaterial(values.in, assumptions());
   WriteReport written;
   const bool container = values.format == kContainer ||
