@@ -166,7 +166,7 @@ WriteReport writeExport(const Brdf& brdf, const std::filesystem::path& path) {
 
 Format brdfLabTextFormat() {
   Format format{
-      "brdflab-text",    "BRDFLab 0.8.2 sparse measurements, text", ".txt", recogniseText, readText, writeText,
+      "brdflab-text",    "BRDFLab 0.8.2 sparse measurements, text", ".brdflab", recogniseText, readText, writeText,
       scatteredOptions()};
   format.takes.insert(format.takes.end(), {"angles", "colour"});
   return format;
