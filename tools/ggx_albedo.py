@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Writes libbrdf/models/tables/ggxAlbedo.xml and ggxMeanAlbedo.xml: directional and mean albedo of GGX without Fresnel.
+"""Writes libbrdf/models/tables/ggxAlbedo.xml, ggxMeanAlbedo.xml and ggxGrazingAlbedo.xml: directional and mean albedo of
+GGX without Fresnel, and the directional albedo with (1 - cos_d)^5 for it (the part of Schlick's F that goes with F90 - F0).
 
 E(mu, alpha) is the hemisphere integral of D V cos_i (F = 1, height-correlated Smith), by the visible-normal change of
 variables: E = mean over visible normals m of G2(i, o)/G1(o), where i is o mirrored at m, 0 below the horizon. The unit
@@ -14,9 +15,9 @@ NODES = 32
 RADII, ANGLES = 200, 400
 
 
-def directional_albedo(mu, alpha):
+def directional_albedo(mu, alpha, grazing=False):
     if alpha == 0:
-        return 1.0
+        return (1 - mu) ** 5 if grazing else 1.0
     mu = max(mu, 1e-6)
     nodes, weights = np.polynomial.legendre.leggauss(RADII)
     r2 = 0.5 * (nodes + 1)  # uniform in area
@@ -40,7 +41,8 @@ def directional_albedo(mu, alpha):
     ci = np.maximum(i[..., 2], 1e-12)
     lam = lambda c: 0.5 * (np.sqrt(1 + alpha * alpha * (1 - c * c) / (c * c)) - 1)
     ratio = (1 + lam(mu)) / (1 + lam(mu) + lam(ci))
-    return float(np.sum(weight * np.where(i[..., 2] > 0, ratio, 0)))
+    fresnel = (1 - np.clip(m @ v, 0, 1)) ** 5 if grazing else 1.0
+    return float(np.sum(weight * np.where(i[..., 2] > 0, ratio * fresnel, 0)))
 
 
 def write(name, title, nx, ny, values):
@@ -55,6 +57,8 @@ def main():
     grid = np.linspace(0, 1, NODES)
     table = [directional_albedo(x * x, a) for a in grid for x in grid]
     write("ggxAlbedo", "E(sqrt(mu), alpha) of GGX, Smith, F = 1.", NODES, NODES, table)
+    table = [directional_albedo(x * x, a, True) for a in grid for x in grid]
+    write("ggxGrazingAlbedo", "The albedo at (sqrt(mu), alpha) of GGX, Smith, F = (1 - cos_d)^5.", NODES, NODES, table)
     nodes, weights = np.polynomial.legendre.leggauss(48)
     mus = 0.5 * (nodes + 1)
     mean = [float(sum(w * m * directional_albedo(m, a) for m, w in zip(mus, weights))) for a in grid]

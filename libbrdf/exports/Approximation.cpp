@@ -10,37 +10,45 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <limits>
 
 namespace brdf {
 namespace {
 
-constexpr std::size_t kThetaH = 48, kThetaD = 24, kPhiD = 24;
+// About highlights; and over the hemispheres, the larger part, which decides where lobes are wide.
+constexpr std::size_t kThetaH = 32, kThetaD = 16, kPhiD = 16, kHighlight = kThetaH * kThetaD * kPhiD;
+constexpr std::size_t kCosines = 20, kAzimuths = 40;
 constexpr std::size_t kBlock = 4096;
 /// A lobe whose largest scale factor is below this part of the sum of all lobes' is left out.
 constexpr double kNothing = 1e-9;
 
+double middle(std::size_t index, std::size_t n) { return (static_cast<double>(index) + 0.5) / static_cast<double>(n); }
+
+/// Both directions of a pair are turned by the golden angle from pair to pair, to cover what depends on the tangent.
+DirectionPair exportPair(std::size_t i) {
+  const double turn = std::remainder(static_cast<double>(i) * kPi * (3 - std::sqrt(5.0)), 2 * kPi);
+  if (i < kHighlight) {
+    const double t = middle(i / (kThetaD * kPhiD), kThetaH);
+    return fromHalfDifference({kPi / 2 * t * t * t * t, turn, kPi / 2 * middle(i / kPhiD % kThetaD, kThetaD),
+                               2 * kPi * middle(i % kPhiD, kPhiD) - kPi});
+  }
+  i -= kHighlight;
+  return {fromSpherical(std::acos(middle(i / (kCosines * kAzimuths), kCosines)), turn),
+          fromSpherical(std::acos(middle(i / kAzimuths % kCosines, kCosines)),
+                        turn + 2 * kPi * middle(i % kAzimuths, kAzimuths))};
+}
+
 class ExportPairs : public SampleSet {
  public:
   explicit ExportPairs(BrdfPointer source) : source_(std::move(source)) {}
-  std::size_t count() const override { return kThetaH * kThetaD * kPhiD; }
+  std::size_t count() const override { return kHighlight + kCosines * kCosines * kAzimuths; }
   const Channels& channels() const override { return source_->channels(); }
   void read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs, double* values,
             std::uint8_t* valid) const override {
     DirectionPairBuffer<double> made(length);
-    const auto middle = [](std::size_t index, std::size_t n) {
-      return (static_cast<double>(index) + 0.5) / static_cast<double>(n);
-    };
     std::vector<std::uint8_t> above(length);
     for (std::size_t k = 0; k < length; ++k) {
-      const std::size_t i = first + k;
-      const double t = middle(i / (kThetaD * kPhiD), kThetaH);
-      HalfDifference angles;
-      angles.thetaH = kPi / 2 * t * t * t * t;
-      angles.thetaD = kPi / 2 * middle(i / kPhiD % kThetaD, kThetaD);
-      angles.phiD = 2 * kPi * middle(i % kPhiD, kPhiD) - kPi;
-      angles.phiH = std::remainder(static_cast<double>(i) * kPi * (3 - std::sqrt(5.0)), 2 * kPi);
-      const DirectionPair pair = fromHalfDifference(angles);
+      const DirectionPair pair = exportPair(first + k);
       made.set(k, pair.wi, pair.wo);
       above[k] = pair.wi[2] > 0 && pair.wo[2] > 0;
     }
@@ -76,12 +84,18 @@ class Sampled : public Brdf {
   ExportPairs samples_;
 };
 
-std::shared_ptr<const LobeSum> withoutNothing(const LobeSum& sum) {
+/// Without lobes that add nothing, and with one value where all channels have the same.
+std::shared_ptr<const LobeSum> simplified(const LobeSum& sum) {
   double total = 0;
   for (const Lobe& lobe : sum.lobes()) total += largestScale(lobe);
   std::vector<Lobe> kept;
-  for (const Lobe& lobe : sum.lobes())
-    if (largestScale(lobe) > kNothing * total) kept.push_back(lobe);
+  for (Lobe lobe : sum.lobes()) {
+    if (largestScale(lobe) <= kNothing * total) continue;
+    for (std::vector<double>& values : lobe.parameters)
+      if (sameInAllChannels(values)) values.resize(1);
+    if (sameInAllChannels(lobe.scale)) lobe.scale.resize(1);
+    kept.push_back(std::move(lobe));
+  }
   if (kept.empty()) kept.push_back(sum.lobes().front());
   return std::make_shared<LobeSum>(std::move(kept), sum.channels());
 }
@@ -116,7 +130,7 @@ std::shared_ptr<const LobeSum> spectralAsRgb(const LobeSum& material) {
 
 std::shared_ptr<const LobeSum> fitLobes(const Brdf& target, std::string_view lobes, const FitOptions& options,
                                         const std::vector<std::string>& hold) {
-  return withoutNothing(*fit(target, requestsFor(lobes, hold), options).material);
+  return simplified(*fit(target, requestsFor(lobes, hold), options).material);
 }
 
 std::shared_ptr<const LobeSum> fitColours(const Brdf& target, std::string_view lobes, const FitOptions& options,
@@ -138,7 +152,7 @@ std::shared_ptr<const LobeSum> fitColours(const Brdf& target, std::string_view l
   }
   FitOptions each = options;
   each.combination = Combination::PerChannel;
-  return withoutNothing(*fit(target, requests, each).material);
+  return simplified(*fit(target, requests, each).material);
 }
 
 std::shared_ptr<const LobeSum> nearest(const Brdf& target, const FitOptions& options,
@@ -194,8 +208,31 @@ bool sameInAllChannels(const std::vector<double>& values) {
 
 double largestScale(const Lobe& lobe) { return *std::ranges::max_element(lobe.scale); }
 
-double meanScale(const Lobe& lobe) {
-  return std::accumulate(lobe.scale.begin(), lobe.scale.end(), 0.0) / static_cast<double>(lobe.scale.size());
+std::string differsBetweenChannels(const Lobe& lobe, const std::vector<std::string_view>& colours) {
+  for (std::size_t p = 0; p < lobe.parameters.size(); ++p) {
+    const std::string& name = lobe.model->parameters()[p].name;
+    if (!sameInAllChannels(lobe.parameters[p]) && std::ranges::find(colours, name) == colours.end())
+      return name + " of " + lobe.model->name() + " differs between the channels";
+  }
+  return {};
+}
+
+std::array<double, 3> colourOf(const std::vector<double>& values) {
+  return values.size() == 3 ? std::array<double, 3>{values[0], values[1], values[2]}
+                            : std::array<double, 3>{values[0], values[0], values[0]};
+}
+
+std::string colourText(const std::array<double, 3>& colour, std::string_view separator) {
+  return formatNumber(colour[0]) + std::string(separator) + formatNumber(colour[1]) + std::string(separator) +
+         formatNumber(colour[2]);
+}
+
+std::shared_ptr<const LobeSum> withScaleAtMost(const LobeSum& sum, std::string_view model, double maximum) {
+  std::vector<Lobe> lobes = sum.lobes();
+  for (Lobe& lobe : lobes)
+    if (lobe.model->name() == model)
+      for (double& scale : lobe.scale) scale = std::min(scale, maximum);
+  return std::make_shared<LobeSum>(std::move(lobes), sum.channels());
 }
 
 }  // namespace brdf

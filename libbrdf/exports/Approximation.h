@@ -6,9 +6,9 @@
 
 namespace brdf {
 
-/// Pairs of directions that show lobes of every width: theta_h = 90 degrees t^4 with t even in (0, 1), so that each
-/// decade of angles about the highlight has its share, theta_d and phi_d even, phi_h turned by the golden angle.
-/// `material`'s values there are the samples.
+/// `material` with samples: its own, or its values at pairs of directions that show lobes of every width. A third of
+/// them about highlights: theta_h = 90 degrees t^4 with t even in (0, 1), so that each decade of angles about the
+/// highlight has its share, theta_d and phi_d even; the others even in solid angle over both hemispheres.
 BRDF_EXPORT BrdfPointer sampledForExport(BrdfPointer material);
 
 /// A sum of linear sRGB lobes equal to a spectral one: its scale factors seen as colours, where they do not become
@@ -34,10 +34,16 @@ ExportError exportError(const LobeSum& evaluated, const Brdf& material, double m
 
 /// The value of a lobe's parameter, by its name, in one channel.
 double parameterOf(const Lobe& lobe, std::string_view name, std::size_t channel = 0);
-/// Whether all channels have the same value of the parameter / of the scale factor.
+/// Whether all channels have the same value.
 bool sameInAllChannels(const std::vector<double>& values);
-/// The largest and the mean scale factor over the channels.
+/// Empty where all channels have the same value of every parameter that is not in `colours`, else the reason.
+std::string differsBetweenChannels(const Lobe& lobe, const std::vector<std::string_view>& colours = {});
 double largestScale(const Lobe& lobe);
-double meanScale(const Lobe& lobe);
+/// Scale factors, or values of a parameter, as colour: three numbers, equal ones for one channel.
+std::array<double, 3> colourOf(const std::vector<double>& values);
+/// Three numbers with blanks or another text between them.
+std::string colourText(const std::array<double, 3>& colour, std::string_view separator = " ");
+/// The sum with the scale factors of the lobes called `model` held to at most `maximum`.
+std::shared_ptr<const LobeSum> withScaleAtMost(const LobeSum& sum, std::string_view model, double maximum);
 
 }  // namespace brdf

@@ -11,7 +11,8 @@ namespace brdf {
 namespace {
 
 std::vector<Exporter>& registry() {
-  static std::vector<Exporter> exporters{glslExporter()};
+  static std::vector<Exporter> exporters{glslExporter(),    gltfExporter(), materialXExporter(), mitsubaExporter(),
+                                         openPbrExporter(), oslExporter(),  pbrtExporter()};
   return exporters;
 }
 

@@ -23,7 +23,7 @@ struct ExportOptions {
 struct ExportError {
   Comparison comparison;  ///< compare(evaluated, material, maximumTheta)
   /// The pair of the largest |difference| of any channel (1/sr), among the material's own samples, or, where it has
-  /// none, exportPairs().
+  /// none, pairs over the hemispheres and about highlights.
   double worstDifference = 0;
   double worstEvaluated = 0, worstMaterial = 0;  ///< the two values there, 1/sr
   std::array<double, 3> wi{}, wo{};

@@ -49,7 +49,8 @@ std::string compose(const std::string& name, const pugi::xml_node& d, const pugi
     }
   model.append_attribute("isotropic") = anisotropic ? "no" : "yes";
   const std::string call = g.attribute("call").value();
-  const std::string visibility = call == "smith" ? d.attribute("smith").value() : call;
+  const bool ofDistribution = call == "smith" || call == "separable";
+  const std::string visibility = ofDistribution ? d.attribute(call.c_str()).value() : call;
   const std::string equation = std::string("(") + d.attribute("call").value() + ") * (" + visibility + ") * (" +
                                f.attribute("call").value() + ")";
   model.append_child("equation").text() = equation.c_str();

@@ -28,8 +28,8 @@ struct MicrofacetTerm {
 BRDF_EXPORT const std::vector<MicrofacetTerm>& microfacetTermsOf(char kind);
 
 /// The model f = D F G/(4 cos_i cos_o) of the named terms, called "Microfacet_<D>_<F>_<G>"; its parameters are those of
-/// D, then of F. G = Smith is the height-correlated Smith term of the distribution. Composed once and kept. Throws
-/// Error::Kind::Value for an unknown term, with the nearest or all names.
+/// D, then of F. G = Smith is the height-correlated Smith term of the distribution, SmithSeparable the product of its two
+/// directions' terms. Composed once and kept. Throws Error::Kind::Value for an unknown term, with the nearest or all names.
 BRDF_EXPORT ModelPointer composeMicrofacet(std::string_view distribution, std::string_view fresnel,
                                            std::string_view shadowing);
 

@@ -164,6 +164,8 @@ const std::set<std::string> kMayReflectMore = {
     "OrenNayar",
     // Free coefficients scale them.
     "SGD", "Lafortune", "LafortuneNgan", "LowMicrofacet", "LowSmooth", "Rational",
+    // Anisotropic facets with the shadowing of isotropic ones, as MaterialX has them.
+    "MaterialXConductor", "MaterialXDielectric", "MaterialXSchlick", "OpenPBR",
     // Old files as they were.
     "BRDFLab082BlinnPhong", "BRDFLab082CookTorrance", "BRDFLab082Ward", "BRDFLab082WardDuer"};
 
