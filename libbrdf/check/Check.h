@@ -13,10 +13,11 @@ namespace brdf {
 struct Check {
   std::string name;  ///< "finite", "reciprocity", ...; see checkModel and checkMaterial
   bool passed = true;
-  double worst = 0;    ///< the worst case; its meaning is the check's own, never less is better
-  double allowed = 0;  ///< passed means worst <= allowed; infinity where nothing is demanded
-  std::string at;      ///< the worst case's directions (degrees) and parameters; empty where there is none
-  std::string note;    ///< why nothing is demanded, or what was not checked; empty otherwise
+  double worst = 0;       ///< the worst case; its meaning is the check's own, never less is better
+  double allowed = 0;     ///< passed means worst <= allowed; infinity where nothing is demanded
+  std::string at;         ///< the worst case's directions (degrees) and parameters; empty where there is none
+  std::string note;       ///< why nothing or less is demanded, or what was not checked; empty otherwise
+  bool declared = false;  ///< the model declares not to keep the law; the note is its reason
 };
 
 /// All checks of one model or material.
@@ -27,6 +28,14 @@ struct Audit {
 
   BRDF_EXPORT bool passed() const;
 };
+
+/// The relative variance allowed to any sampler of any lobe: n draws leave a relative error of sqrt(10/n). Cosine
+/// sampling of a lobe cos^n about the normal has (n + 2)^2/(4 n + 4) - 1, which exceeds it from n = 42 on (a half width
+/// of 10 degrees, GGX's alpha 0.2); sharper lobes need a sampler of their own.
+constexpr double kEfficiencyBound = 10;
+/// Albedos below count as this one when a variance is compared with their square: no picture shows noise of a lobe that
+/// reflects less than a millionth.
+constexpr double kLeastAlbedo = 1e-6;
 
 struct CheckOptions {
   /// Multiplies the numbers of pairs, parameter sets and draws: 1 audits the whole library in about two minutes.
@@ -48,8 +57,10 @@ struct CheckOptions {
 /// - sampler_directions: draws that are no direction above the horizon or have no density; none allowed;
 /// - sampler: surprise of the chi-square test, -log10 of its probability;
 /// - pdf_integral: the density's integral + failed draws - 1 in units of its error (SamplerTest::deviation);
-/// - efficiency: variance of f cos / pdf over the albedo squared.
-/// What a model declares not to keep (check/Declarations.h, Model::reciprocal) is measured, and passes with a note.
+/// - efficiency: variance of f cos / pdf over the albedo squared, at most kEfficiencyBound. A lobe that names no
+/// sampler
+///   is drawn by the tables that renderers make of its values (sampling/SampledBrdf.h).
+/// What a model declares not to keep (models/Declaration.h, Model::reciprocal) is measured, and passes with a note.
 BRDF_EXPORT Audit checkModel(const Model& model, const CheckOptions& options = {});
 
 /// Audits a material. A sum of lobes: finite, non_negative, reciprocity, energy and the sampler's checks of the sum,

@@ -1,4 +1,3 @@
-#include <brdf/check/Declarations.h>
 #include <brdf/check/Tally.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/material/LobeSum.h>
@@ -52,11 +51,13 @@ std::vector<ParameterCase> casesOf(const Lobe& lobe, std::size_t channels) {
   return cases;
 }
 
-const char* unboundedEnergy(const LobeSum* sum) {
-  if (!sum) return nullptr;
-  for (const Lobe& lobe : sum->lobes())
-    if (const char* reason = declarationOf(lobe.model->name()).unboundedEnergy) return reason;
-  return nullptr;
+/// The loosest that a lobe declares about the albedo.
+const Declaration* declaredEnergy(const LobeSum* sum) {
+  const Declaration* loosest = nullptr;
+  for (std::size_t k = 0; sum && k < sum->lobes().size(); ++k)
+    if (const Declaration* own = sum->lobes()[k].model->declared("energy"))
+      if (!loosest || own->allowed > loosest->allowed) loosest = own;
+  return loosest;
 }
 
 }  // namespace
@@ -81,7 +82,7 @@ Audit checkMaterial(const BrdfPointer& material, const std::string& name, const 
   for (const Tally* tally : {&finite, &negative, &reciprocity}) audit.checks.push_back(tally->result());
 
   const BrdfPointer sampled = measured ? withSampler(material) : material;
-  SamplerTallies sampler(1, unboundedEnergy(lobes), Declaration{}.variance);
+  SamplerTallies sampler(1, declaredEnergy(lobes));
   tallySampler(*sampled, *fewChannels(material), "", options, sampler);
   sampler.into(audit.checks);
 

@@ -1,5 +1,5 @@
-#include <brdf/check/Declarations.h>
 #include <brdf/check/ValueChecks.h>
+#include <brdf/sampling/SampledBrdf.h>
 
 #include <algorithm>
 
@@ -33,7 +33,6 @@ void tallyTurning(const Model& model, const ParameterCase& parameters, const Che
 
 std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCase>& cases,
                               const CheckOptions& options) {
-  const Declaration& declared = declarationOf(model.name());
   const bool costly = isCostly(model);
   const CheckPairs extremes = adversarialPairs(scaled(costly ? 20 : 100, options, 4), options.seed, true);
   const CheckPairs exact = adversarialPairs(scaled(costly ? 1 : 5, options), options.seed + 1, !costly);
@@ -41,27 +40,28 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
   const CheckPairs slopes = adversarialPairs(scaled(costly ? 1 : 3, options), options.seed + 3, false);
 
   Tally finite("finite", 0), negative("non_negative", 0), derivative("derivative", 1);
-  Tally reciprocity("reciprocity", model.reciprocal() ? 1e-12 : kAnything,
-                    model.reciprocal() ? "" : "declared not reciprocal");
-  Tally turning("turning", model.isotropic() ? 1e-9 : kAnything, model.isotropic() ? "" : "declared anisotropic");
-  AccuracyTallies accuracy;
+  const Declaration notReciprocal{"reciprocity", kAnything, "not reciprocal"};
+  const Declaration anisotropic{"turning", kAnything, "anisotropic"};
+  Tally reciprocity("reciprocity", 1e-12, model.reciprocal() ? nullptr : &notReciprocal);
+  Tally turning("turning", 1e-9, model.isotropic() ? nullptr : &anisotropic);
+  AccuracyTallies accuracy(model);
   const auto softCount =
       static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [](const auto& one) { return one.soft; }));
-  SamplerTallies sampler(softCount, declared.unboundedEnergy, declared.variance);
+  SamplerTallies sampler(softCount, model.declared("energy"));
 
   std::size_t softSeen = 0, hardSeen = 0;
   for (const ParameterCase& one : cases) {
     const std::string label = parameterText(model, one.values) + " (" + one.name + ")";
-    const OneLobe lobe(model, one.values);
-    tallyExtremes(lobe, extremes, label, finite, negative);
+    const auto lobe = std::make_shared<const OneLobe>(model, one.values);
+    tallyExtremes(*lobe, extremes, label, finite, negative);
     // At the hard bounds a few cases suffice against 50 digits, which are slow.
     if (one.soft ? !costly || softSeen < 3 : hardSeen++ < (costly ? 1 : 5))
       tallyAgainstExtended(model, one, exact, exactAbove, label, accuracy);
     if (!one.soft) continue;
     if (softSeen++ < (costly ? 1 : 3)) tallyDerivative(model, one, slopes, derivative);
-    tallyReciprocity(lobe, extremes, label, 0, reciprocity);
+    tallyReciprocity(*lobe, extremes, label, 0, reciprocity);
     if (one.name == "defaults" || cases.size() == 1) tallyTurning(model, one, exact, label, turning);
-    tallySampler(lobe, lobe, label, options, sampler);
+    tallySampler(model.namesSampler() ? *lobe : *withSampler(lobe), *lobe, label, options, sampler);
   }
   std::vector<Check> checks;
   for (const Tally* tally : {&finite, &negative, &accuracy.wide, &accuracy.narrow, &accuracy.conditioning, &derivative,

@@ -82,12 +82,12 @@ void tallyReciprocity(const Brdf& brdf, const CheckPairs& set, const std::string
   }
 }
 
-SamplerTallies::SamplerTallies(std::size_t cases, const char* unboundedEnergy, double variance)
-    : energy("energy", unboundedEnergy ? kAnything : 1.002, unboundedEnergy ? unboundedEnergy : ""),
+SamplerTallies::SamplerTallies(std::size_t cases, const Declaration* declaredEnergy)
+    : energy("energy", 1.002, declaredEnergy),
       directions("sampler_directions", 0),
       surprise("sampler", -std::log10(sidakSignificance(1e-4, cases * std::size(kViewAngles)))),
       integral("pdf_integral", 5),
-      efficiency("efficiency", variance) {}
+      efficiency("efficiency", kEfficiencyBound) {}
 
 void SamplerTallies::into(std::vector<Check>& checks) const {
   for (const Tally* tally : {&energy, &directions, &surprise, &integral, &efficiency})
@@ -141,8 +141,9 @@ void tallySampler(const Brdf& brdf, const Brdf& reflecting, const std::string& l
         return label + " theta_i " + std::to_string(static_cast<int>(angle)) + " phi_i 40.1 deg";
       });
     }
-    tallies.efficiency.offer(relativeVariances(brdf, wo, samplers, scaled(4096, options, 1024)).relativeVariance[0],
-                             viewer);
+    const SamplerVariances variances = relativeVariances(brdf, wo, samplers, scaled(4096, options, 1024));
+    const double visible = std::min(1.0, variances.albedo / kLeastAlbedo);
+    tallies.efficiency.offer(variances.relativeVariance[0] * visible * visible, viewer);
   }
 }
 

@@ -15,6 +15,15 @@ class Tally {
  public:
   Tally(std::string name, double allowed, std::string note = {})
       : check_{std::move(name), true, 0, allowed, {}, std::move(note)} {}
+  /// What a model declares instead of `allowed`, where it does.
+  Tally(std::string name, double allowed, const Declaration* declaration)
+      : check_{std::move(name),
+               true,
+               0,
+               declaration ? declaration->allowed : allowed,
+               {},
+               declaration ? declaration->reason : "",
+               declaration != nullptr} {}
 
   /// `at` makes the text of a case; it is called for a new worst one only.
   template <class Text>
@@ -77,8 +86,8 @@ void tallyReciprocity(const Brdf& brdf, const CheckPairs& pairs, const std::stri
 struct SamplerTallies {
   Tally energy, directions, surprise, integral, efficiency;
 
-  /// `cases`: how many times tallySampler will be called.
-  SamplerTallies(std::size_t cases, const char* unboundedEnergy, double variance);
+  /// `cases`: how many times tallySampler will be called. `energy`: what is declared about the albedo, or null.
+  SamplerTallies(std::size_t cases, const Declaration* energy);
   void into(std::vector<Check>& checks) const;
 };
 

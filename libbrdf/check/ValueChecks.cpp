@@ -18,22 +18,21 @@ double allowedAt(double relative, double perExponent, double truth, double peak,
 
 template <class T>
 void tallyAccuracy(const std::vector<double>& exact, const std::vector<T>& got, const CheckPairs& pairs,
-                   const std::string& label, const Declaration& declared, Tally& tally) {
+                   const std::string& label, double relative, bool crossesZero, Tally& tally) {
   constexpr bool narrow = sizeof(T) == sizeof(float);
   double peak = 0;
   for (const double value : exact)
     if (std::isfinite(value)) peak = std::max(peak, std::fabs(value));
   // Below, the format has no digits left; float's exponentials underflow before a large factor brings them back.
   const double tiny = narrow ? std::max(1e-30, 1e-16 * peak) : 1e-290;
-  const double rounding = declared.passesThroughZero ? std::numeric_limits<T>::epsilon() * peak : 0;
+  const double rounding = crossesZero ? std::numeric_limits<T>::epsilon() * peak : 0;
   for (std::size_t k = 0; k < got.size(); ++k) {
     const double value = got[k], truth = exact[k];
     // Values that are not finite are another check's matter.
     if (!std::isfinite(value) || !std::isfinite(truth)) continue;
     if (std::max(std::fabs(value), std::fabs(truth)) <= tiny) continue;
     const double error = std::max(0.0, std::fabs(value - truth) - rounding) / std::max(std::fabs(truth), tiny);
-    const double allowed = allowedAt(narrow ? declared.relativeNarrow : declared.relative, narrow ? 1e-6 : 1e-14,
-                                     std::fabs(truth), peak, tiny);
+    const double allowed = allowedAt(relative, narrow ? 1e-6 : 1e-14, std::fabs(truth), peak, tiny);
     tally.offer(error / allowed, [&] { return label + " " + directionText(pairs.wi(k), pairs.wo(k)); });
   }
 }
@@ -60,21 +59,45 @@ double exactSlope(const Model& model, const Direction& wi, const Direction& wo, 
   return model.evaluateExtended(wi, wo, parameters)[which + 1];
 }
 
+double allowedBy(const Model& model, const char* check, double usual) {
+  const Declaration* const declaration = model.declared(check);
+  return declaration ? declaration->allowed : usual;
+}
+
+/// A tally of errors as shares of what is allowed, marked where the model declares that.
+Tally shareTally(const Model& model, const char* check) {
+  if (const Declaration* const declaration = model.declared(check)) {
+    const Declaration share{check, 1, declaration->reason};
+    return {check, 1, &share};
+  }
+  return {check, 1};
+}
+
 }  // namespace
+
+AccuracyTallies::AccuracyTallies(const Model& model)
+    : allowedWide(allowedBy(model, "double_accuracy", 1e-12)),
+      allowedNarrow(allowedBy(model, "float_accuracy", 1e-5)),
+      crossesZero(model.declared("zero_crossing") != nullptr),
+      wide(shareTally(model, "double_accuracy")),
+      narrow(shareTally(model, "float_accuracy")),
+      conditioning("conditioning", kAnything,
+                   "a property of the formula: what rounding the directions to float changes") {}
 
 void tallyAgainstExtended(const Model& model, const ParameterCase& parameters, const CheckPairs& pairs,
                           const CheckPairs& aboveHorizon, const std::string& label, AccuracyTallies& tallies) {
-  const Declaration& declared = declarationOf(model.name());
   std::vector<double> wide(pairs.size());
   model.evaluate(pairs.pairs.view(), parameters.values, wide.data());
-  tallyAccuracy(exactValues(model, pairs, parameters.values), wide, pairs, label, declared, tallies.wide);
+  tallyAccuracy(exactValues(model, pairs, parameters.values), wide, pairs, label, tallies.allowedWide,
+                tallies.crossesZero, tallies.wide);
 
   const CheckPairs rounded = aboveHorizon.rounded();
   const DirectionPairBuffer<float> narrow = aboveHorizon.narrow();
   std::vector<float> floats(narrow.size());
   model.evaluate(narrow.view(), parameters.values, floats.data());
   const std::vector<double> atRounded = exactValues(model, rounded, parameters.values);
-  if (parameters.soft) tallyAccuracy(atRounded, floats, rounded, label, declared, tallies.narrow);
+  if (parameters.soft)
+    tallyAccuracy(atRounded, floats, rounded, label, tallies.allowedNarrow, tallies.crossesZero, tallies.narrow);
 
   for (std::size_t k = 0; k < aboveHorizon.size(); ++k) {
     const double here = exactValue(model, aboveHorizon.wi(k), aboveHorizon.wo(k), parameters.values);
@@ -102,7 +125,7 @@ void tallyDerivative(const Model& model, const ParameterCase& parameters, const 
   double peak = 0;
   for (std::size_t i = 0; i < count; ++i)
     if (std::isfinite(got[i])) peak = std::max(peak, std::fabs(got[i]));
-  const bool kink = declarationOf(model.name()).passesThroughZero;
+  const bool kink = model.declared("zero_crossing") != nullptr;
   for (std::size_t i = 0; i < count; ++i) {
     if (!std::isfinite(got[i]) || (kink && std::fabs(got[i]) < 1e-12 * peak)) continue;
     for (std::size_t k = 0; k < parameterCount; ++k) {

@@ -1,15 +1,16 @@
 #pragma once
 // Internal to libbrdf/check.
-#include <brdf/check/Declarations.h>
 #include <brdf/check/Tally.h>
 
 namespace brdf {
 
 /// Errors as shares of what is allowed, and the conditioning with respect to the directions.
 struct AccuracyTallies {
-  Tally wide{"double_accuracy", 1}, narrow{"float_accuracy", 1},
-      conditioning{"conditioning", kAnything,
-                   "a property of the formula: what rounding the directions to float changes"};
+  explicit AccuracyTallies(const Model& model);
+
+  double allowedWide, allowedNarrow;  ///< relative errors
+  bool crossesZero;                   ///< see models/Declaration.h
+  Tally wide, narrow, conditioning;
 };
 
 /// `pairs` for double; `aboveHorizon` for float (at soft parameters) and conditioning.

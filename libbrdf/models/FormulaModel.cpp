@@ -88,12 +88,17 @@ FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : whe
     if (!parameter.follows.empty()) parameterIndex(parameter.follows);  // an earlier one, or this throws
     parameters_.push_back(std::move(parameter));
   }
-  if (const pugi::xml_node sampler = root.child("sampler")) {
-    samplerName_ = requiredAttribute(sampler, "name", where);
-    samplerArguments_ = splitArguments(sampler.attribute("arguments").value());
-    cosineShare_ = sampler.attribute("cosine").value();
+  for (const pugi::xml_node sampler : root.children("sampler")) {
+    const std::string share = parts_.empty() ? "" : requiredAttribute(sampler, "share", where);
+    parts_.push_back(
+        {requiredAttribute(sampler, "name", where), splitArguments(sampler.attribute("arguments").value()), share});
+    if (const pugi::xml_attribute cosine = sampler.attribute("cosine"))
+      parts_.push_back({"Cosine", {}, cosine.value()});
   }
+  namesSampler_ = !parts_.empty();
+  if (parts_.empty()) parts_.push_back({"Cosine", {}, {}});
   references_ = readReferences(root);
+  declarations_ = readDeclarations(root, where);
 }
 
 FormulaModel::~FormulaModel() = default;
@@ -124,6 +129,83 @@ NodeId FormulaModel::buildValue(Graph& graph, std::span<const double> parameters
   return finished(graph, formula::parse(graph, equation_, options).value);
 }
 
+/// The nodes of a mixture of samplers.
+class FormulaModel::SamplerGraph {
+ public:
+  /// `options`: how the model's own formulas are parsed; `where`: the file.
+  SamplerGraph(Graph& graph, const std::string& where, const std::vector<SamplerPart>& parts, formula::ParseOptions options)
+      : graph_(graph) {
+    NodeId rest = graph.constant(1);
+    for (std::size_t k = parts.size(); k-- > 0;) {  // the first part last: it gets what the others leave
+      Mixed mixed{&findSampler(parts[k].sampler, where), options, rest};
+      if (!parts[k].share.empty()) mixed.share = formula::parse(graph, parts[k].share, options).value;
+      rest = graph.sub(rest, mixed.share);
+      const std::vector<std::string>& wanted = mixed.sampler->arguments;
+      if (wanted.size() != parts[k].arguments.size())
+        throw Error(Error::Kind::Format, {"wrong number of arguments to sampler " + parts[k].sampler, where,
+                                          std::to_string(parts[k].arguments.size()),
+                                          std::to_string(wanted.size()) + " (" + joined(wanted) + ")"});
+      for (std::size_t a = 0; a < wanted.size(); ++a)
+        mixed.options.bindings[wanted[a]] = formula::parse(graph, parts[k].arguments[a], options).value;
+      mixed_.push_back(std::move(mixed));
+    }
+  }
+
+  NodeId density() {
+    NodeId sum = graph_.constant(0);
+    for (Mixed& part : mixed_) {
+      part.options.where = "density of sampler " + part.sampler->name;
+      sum = graph_.add(sum, graph_.mul(part.share, formula::parse(graph_, part.sampler->density, part.options).value));
+    }
+    return sum;
+  }
+
+  /// wx, wy, wz; all 0 for a draw that fails.
+  std::vector<NodeId> draw() {
+    // The first random number chooses and, stretched, serves again.
+    const NodeId random = graph_.input(Input::Random1), zero = graph_.constant(0);
+    NodeId below = zero;
+    std::vector<NodeId> starts;
+    std::vector<std::array<NodeId, 3>> drawn;
+    for (Mixed& part : mixed_) {
+      if (mixed_.size() > 1)
+        part.options.bindings["random1"] =
+            graph_.div(graph_.sub(random, below), graph_.make(Op::Max, part.share, graph_.constant(1e-9)));
+      part.options.where = "draw of sampler " + part.sampler->name;
+      const formula::ParseResult result = formula::parse(graph_, part.sampler->draw, part.options);
+      std::array<NodeId, 3> w;
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::string name = std::string("w") + "xyz"[axis];
+        const auto it = result.variables.find(name);
+        if (it == result.variables.end())
+          throw Error(Error::Kind::Formula, {"missing assignment", part.options.where, {}, name});
+        w[axis] = it->second;
+      }
+      drawn.push_back(w);
+      starts.push_back(below);
+      below = graph_.add(below, part.share);
+    }
+    std::array<NodeId, 3> w = drawn.back();
+    for (std::size_t k = drawn.size() - 1; k-- > 0;) {
+      const NodeId here = graph_.make(Op::Less, random, starts[k + 1]);
+      for (std::size_t axis = 0; axis < 3; ++axis) w[axis] = graph_.select(here, drawn[k][axis], w[axis]);
+    }
+    const NodeId success = graph_.make(Op::Less, zero, w[2]);
+    std::vector<NodeId> result;
+    for (const NodeId component : w) result.push_back(graph_.select(success, component, zero));
+    return result;
+  }
+
+ private:
+  struct Mixed {
+    const Sampler* sampler;
+    formula::ParseOptions options;
+    NodeId share;
+  };
+  Graph& graph_;
+  std::vector<Mixed> mixed_;
+};
+
 FormulaModel::Compiled& FormulaModel::compiled() const {
   std::call_once(once_, [this] {
     auto made = std::make_unique<Compiled>();
@@ -142,49 +224,10 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     std::iota(all.begin(), all.end(), 0u);
     made->derivatives = formula::derivatives(graph, made->value, all);
 
-    const Sampler& sampler = findSampler(samplerName_, where_);
-    if (sampler.arguments.size() != samplerArguments_.size())
-      throw Error(
-          Error::Kind::Format,
-          {"wrong number of arguments to sampler " + samplerName_, where_, std::to_string(samplerArguments_.size()),
-           std::to_string(sampler.arguments.size()) + " (" + joined(sampler.arguments) + ")"});
-    formula::ParseOptions samplerOptions = options;
-    for (std::size_t k = 0; k < samplerArguments_.size(); ++k) {
-      options.where = where_ + ", sampler of " + name_;
-      samplerOptions.bindings[sampler.arguments[k]] = formula::parse(graph, samplerArguments_[k], options).value;
-    }
-    NodeId share = zero;  // of draws that are cosine-weighted instead
-    if (!cosineShare_.empty()) share = formula::parse(graph, cosineShare_, options).value;
-    samplerOptions.where = "density of sampler " + samplerName_;
-    const NodeId own = formula::parse(graph, sampler.density, samplerOptions).value;
-    const auto cosineText = [&](const std::string Sampler::*part, formula::ParseOptions& with) {
-      with.where = "sampler Cosine";
-      return formula::parse(graph, findSampler("Cosine", where_).*part, with);
-    };
-    const NodeId mixed = graph.add(graph.mul(graph.sub(graph.constant(1), share), own),
-                                   graph.mul(share, cosineText(&Sampler::density, options).value));
-    made->density = graph.select(above, awayFromTheHorizon(graph, mixed), zero);
-    // The first random number chooses and, stretched, serves again.
-    const NodeId random = graph.input(Input::Random1);
-    const NodeId cosine = graph.make(Op::Less, random, share);
-    if (!cosineShare_.empty())
-      samplerOptions.bindings["random1"] = graph.select(
-          cosine, graph.div(random, share), graph.div(graph.sub(random, share), graph.sub(graph.constant(1), share)));
-    samplerOptions.where = "draw of sampler " + samplerName_;
-    const formula::ParseResult draw = formula::parse(graph, sampler.draw, samplerOptions);
-    const auto component = [&](const char* name) {
-      const auto it = draw.variables.find(name);
-      if (it == draw.variables.end())
-        throw Error(Error::Kind::Formula, {"missing assignment", samplerOptions.where, {}, name});
-      return it->second;
-    };
-    std::map<std::string, NodeId, std::less<>> other;
-    if (!cosineShare_.empty()) other = cosineText(&Sampler::draw, samplerOptions).variables;
-    const auto chosen = [&](const char* name) {
-      return cosineShare_.empty() ? component(name) : graph.select(cosine, other.at(name), component(name));
-    };
-    const NodeId success = graph.make(Op::Less, zero, chosen("wz"));
-    for (const char* name : {"wx", "wy", "wz"}) made->draw.push_back(graph.select(success, chosen(name), zero));
+    options.where = where_ + ", sampler of " + name_;
+    SamplerGraph sampler(graph, where_, parts_, options);
+    made->density = graph.select(above, awayFromTheHorizon(graph, sampler.density()), zero);
+    made->draw = sampler.draw();
 
     made->valueProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->value});
     made->densityProgram = std::make_unique<const Program>(graph, std::vector<NodeId>{made->density});

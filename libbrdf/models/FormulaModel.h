@@ -18,10 +18,12 @@ namespace brdf {
 ///     <description/>
 ///     <parameter name="" default="" min="" max="" [label symbol unit softMin softMax scale="linear|log" follows]/>...
 ///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test
-///     <sampler name="" arguments="expr, ..." cosine="expr"/> of models/samplers, arguments in the model's parameters
-///     and
-///                                              wo; `cosine`: share of draws, in (0, 1), that are cosine-weighted
-///                                              instead (none); cosine-weighted altogether if there is no <sampler>
+///     <sampler name="" arguments="expr, ..." [share="expr"] [cosine="expr"]/>...   of models/samplers, arguments in
+///                                              the model's parameters and wo. `share`: of draws, in [0, 1), for each
+///                                              sampler but the first, which gets the rest; cosine="expr" is short for
+///                                              a sampler "Cosine" of that share. Without <sampler>: cosine-weighted,
+///                                              and Model::namesSampler is false
+///     <declares check="" [allowed=""]/>...     laws it does not keep (models/Declaration.h)
 ///     <reference .../>...
 ///   </model>
 ///
@@ -52,10 +54,15 @@ class BRDF_EXPORT FormulaModel final : public Model {
   const formula::Graph& graph() const;
   formula::NodeId valueNode() const;
   const std::vector<formula::NodeId>& derivativeNodes() const;
-  const std::string& samplerName() const { return samplerName_; }
-  const std::vector<std::string>& samplerArguments() const { return samplerArguments_; }  ///< formulas
-  const std::string& cosineShare() const { return cosineShare_; }  ///< a formula, or empty for none
-  bool clamped() const { return clamp_; }                          ///< whether negative values are replaced by 0
+  /// One of the samplers that draw for the model.
+  struct SamplerPart {
+    std::string sampler;                 ///< its name (models/Library.h)
+    std::vector<std::string> arguments;  ///< formulas
+    std::string share;                   ///< of the draws, a formula; empty for the first part: what the others leave
+  };
+  /// At least one; "Cosine" alone where the record names none.
+  const std::vector<SamplerPart>& samplerParts() const { return parts_; }
+  bool clamped() const { return clamp_; }  ///< whether negative values are replaced by 0
   /// Names of the library's functions (models/Library.h) that the equation calls, in order of first use.
   const std::vector<std::string>& functionsUsed() const;
 
@@ -67,9 +74,10 @@ class BRDF_EXPORT FormulaModel final : public Model {
   /// The value of an equation: clamped where the model says so, and 0 below the horizon.
   formula::NodeId finished(formula::Graph& graph, formula::NodeId raw) const;
 
-  std::string where_, samplerName_ = "Cosine";
-  std::vector<std::string> samplerArguments_;
-  std::string cosineShare_;
+  class SamplerGraph;
+
+  std::string where_;
+  std::vector<SamplerPart> parts_;
   bool clamp_ = false, legacyDialect_ = false;
   mutable std::once_flag once_;
   mutable std::unique_ptr<Compiled> compiled_;

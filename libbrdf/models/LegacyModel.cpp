@@ -37,6 +37,9 @@ std::string translateLegacyModel(std::string_view xml, const std::string& where)
   const std::string equation = root.child_value("Equation");
   if (equation.empty()) throw Error(Error::Kind::Format, {"missing <Equation>", where});
   model.append_child("equation").text() = equation.c_str();
+  pugi::xml_node declares = model.append_child("declares");
+  declares.append_attribute("check") = "energy";
+  declares.text() = "nothing in the file promises a bound";
   std::ostringstream text;
   target.save(text, "", pugi::format_raw);
   return text.str();

@@ -3,8 +3,16 @@
 #include <brdf/formula/GlslPrinter.h>
 #include <brdf/models/Model.h>
 
+#include <algorithm>
+
 namespace brdf {
 Model::~Model() = default;
+
+const Declaration* Model::declared(std::string_view check) const {
+  const auto found = std::find_if(declarations_.begin(), declarations_.end(),
+                                  [&](const Declaration& declaration) { return declaration.check == check; });
+  return found == declarations_.end() ? nullptr : &*found;
+}
 
 std::size_t Model::parameterIndex(std::string_view name) const {
   std::vector<std::string> names;

@@ -2,6 +2,7 @@
 #include <brdf/brdf_export.h>
 #include <brdf/formula/Graph.h>
 #include <brdf/geometry/DirectionPairs.h>
+#include <brdf/models/Declaration.h>
 #include <brdf/models/Parameter.h>
 
 #include <memory>
@@ -32,6 +33,14 @@ class BRDF_EXPORT Model {
   bool reciprocal() const { return reciprocal_; }
   /// True when the value depends on no direction (a Lambertian): environment light is then a cosine-convolved look-up.
   bool constant() const { return constant_; }
+  /// False when the record names no sampler: `sample` is cosine-weighted, and who draws much from the lobe makes a
+  /// tabulated sampler of its values (sampling/SampledBrdf.h).
+  bool namesSampler() const { return namesSampler_; }
+
+  /// The laws that the model declares not to keep.
+  const std::vector<Declaration>& declarations() const { return declarations_; }
+  /// What it declares about the check called `check` (models/Declaration.h), or null.
+  const Declaration* declared(std::string_view check) const;
 
   /// Index of the parameter called `name`; throws Error::Kind::Value with the nearest name when there is none.
   std::size_t parameterIndex(std::string_view name) const;
@@ -80,7 +89,8 @@ class BRDF_EXPORT Model {
   std::string name_, title_, description_, equation_;
   std::vector<Parameter> parameters_;
   std::vector<Reference> references_;
-  bool isotropic_ = true, reciprocal_ = true, constant_ = false;
+  std::vector<Declaration> declarations_;
+  bool isotropic_ = true, reciprocal_ = true, constant_ = false, namesSampler_ = true;
 };
 
 using ModelPointer = std::shared_ptr<const Model>;

@@ -2,6 +2,8 @@
 #include <brdf/base/Text.h>
 #include <brdf/models/XmlRecord.h>
 
+#include <algorithm>
+
 namespace brdf {
 
 pugi::xml_node xmlRoot(pugi::xml_document& document, std::string_view text, const std::string& where,
@@ -75,6 +77,24 @@ std::vector<Reference> readReferences(const pugi::xml_node& node) {
     references.push_back(std::move(reference));
   }
   return references;
+}
+
+std::vector<Declaration> readDeclarations(const pugi::xml_node& node, const std::string& where) {
+  const std::vector<std::string> known{"energy", "normalisation", "double_accuracy", "float_accuracy", "zero_crossing"};
+  std::vector<Declaration> declarations;
+  for (const pugi::xml_node child : node.children("declares")) {
+    Declaration declaration;
+    declaration.check = requiredAttribute(child, "check", where);
+    const std::string here = where + ", declaration of " + declaration.check;
+    if (std::find(known.begin(), known.end(), declaration.check) == known.end())
+      throw Error(Error::Kind::Format, {"unknown check", here, "'" + declaration.check + "'", joined(known)});
+    if (declaration.check.ends_with("_accuracy")) requiredAttribute(child, "allowed", here);
+    declaration.allowed = numberAttribute(child, "allowed", declaration.allowed, here);
+    declaration.reason = std::string(trimmed(child.text().get()));
+    if (declaration.reason.empty()) throw Error(Error::Kind::Format, {"missing reason", here, {}, {}});
+    declarations.push_back(std::move(declaration));
+  }
+  return declarations;
 }
 
 Parameter readParameter(const pugi::xml_node& node, const std::string& where) {

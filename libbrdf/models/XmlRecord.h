@@ -1,5 +1,6 @@
 #pragma once
 // Reading of the XML records in models/. Internal to libbrdf/models.
+#include <brdf/models/Declaration.h>
 #include <brdf/models/Parameter.h>
 
 #include <pugixml.hpp>
@@ -24,6 +25,8 @@ bool flagAttribute(const pugi::xml_node& node, const char* name, bool otherwise,
 std::vector<std::string> splitArguments(std::string_view text);
 
 std::vector<Reference> readReferences(const pugi::xml_node& node);
+/// The <declares> elements; throws for an unknown check, one without a reason, and an accuracy without `allowed`.
+std::vector<Declaration> readDeclarations(const pugi::xml_node& node, const std::string& where);
 Parameter readParameter(const pugi::xml_node& node, const std::string& where);
 
 }  // namespace brdf

@@ -27,11 +27,13 @@ std::string formulaSection(const Model& model) {
 std::string samplerSection(const Model& model) {
   const auto* record = dynamic_cast<const FormulaModel*>(&model);
   if (record == nullptr) return {};
-  const Sampler& used = findSampler(record->samplerName(), model.name());
-  std::string text = "## Sampler\n\n[`" + used.name + "(" + joined(record->samplerArguments()) + ")`](samplers.md#" +
-                     anchor(used.name) + "): " + escaped(used.title) + ".";
-  if (!record->cosineShare().empty())
-    text += " A share of `" + record->cosineShare() + "` of the draws is cosine-weighted instead.";
+  std::string text = "## Sampler\n\n";
+  for (const FormulaModel::SamplerPart& part : record->samplerParts()) {
+    const Sampler& used = findSampler(part.sampler, model.name());
+    if (!part.share.empty()) text += "\n\nFor a share of `" + part.share + "` of the draws instead ";
+    text += "[`" + used.name + "(" + joined(part.arguments) + ")`](samplers.md#" + anchor(used.name) +
+            "): " + escaped(used.title) + ".";
+  }
   return text + "\n\n";
 }
 

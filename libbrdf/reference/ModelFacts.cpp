@@ -1,6 +1,5 @@
 // What a page says of a model beyond its record: what was measured, and what it declares.
 #include <brdf/base/Text.h>
-#include <brdf/check/Declarations.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/models/FormulaModel.h>
@@ -57,24 +56,19 @@ std::vector<MeasuredAlbedo> measuredAlbedos(const ModelPointer& model) {
 }
 
 std::vector<std::string> declaredBreaks(const Model& model) {
-  const Declaration& declared = declarationOf(model.name());
-  const Declaration usual;
   std::vector<std::string> breaks;
   if (!model.reciprocal()) breaks.push_back("Not reciprocal: light and viewer may not change places.");
   if (const auto* formula = dynamic_cast<const FormulaModel*>(&model); formula != nullptr && formula->clamped())
     breaks.push_back("Its formula goes below 0 in places; such values are replaced by 0.");
-  if (declared.unboundedEnergy != nullptr)
-    breaks.push_back("May reflect more than it receives: " + std::string(declared.unboundedEnergy) + ".");
-  if (declared.relative > usual.relative || declared.relativeNarrow > usual.relativeNarrow)
-    breaks.push_back("Loses digits: relative errors of " + markdown::number(declared.relative) + " in double and " +
-                     markdown::number(declared.relativeNarrow) + " in float are allowed (others: " +
-                     markdown::number(usual.relative) + " and " + markdown::number(usual.relativeNarrow) + ").");
-  if (declared.passesThroughZero)
-    breaks.push_back("A term passes through zero: beside it, errors are measured against the lobe's peak.");
-  if (declared.variance > usual.variance)
-    breaks.push_back("Its sampler has another shape than the lobe: a relative variance of " +
-                     markdown::number(declared.variance) + " is allowed (others: " + markdown::number(usual.variance) +
-                     ").");
+  for (const Declaration& one : model.declarations()) {
+    const std::string within = std::isinf(one.allowed) ? "" : " (" + markdown::number(one.allowed) + " is allowed)";
+    const std::string law = one.check == "energy"            ? "May reflect more than it receives"
+                            : one.check == "normalisation"   ? "Its distribution is not normalised"
+                            : one.check == "double_accuracy" ? "Loses digits in double"
+                            : one.check == "float_accuracy"  ? "Loses digits in float"
+                                                             : "Near its zeros errors are measured against its peak";
+    breaks.push_back(law + within + ": " + one.reason + ".");
+  }
   return breaks;
 }
 

@@ -67,11 +67,14 @@ std::string formulaText(const Model& model) {
 std::string sampler(const Model& model) {
   const auto* record = dynamic_cast<const FormulaModel*>(&model);
   if (record == nullptr) return "  its own\n";
-  const Sampler& used = findSampler(record->samplerName(), model.name());
-  std::string text = used.title + ": " + used.name + "(" + joined(record->samplerArguments()) + ")";
-  if (!record->cosineShare().empty()) text += "; a share of " + record->cosineShare() + " cosine-weighted";
-  text = wrapped(text, "  ", "    ");
-  for (const Reference& reference : used.references) text += wrapped(citation(reference), "    ", "      ");
+  std::string text;
+  for (const FormulaModel::SamplerPart& part : record->samplerParts()) {
+    const Sampler& used = findSampler(part.sampler, model.name());
+    text += wrapped((part.share.empty() ? "" : "for a share of " + part.share + " of the draws instead: ") +
+                        used.title + ": " + used.name + "(" + joined(part.arguments) + ")",
+                    "  ", "    ");
+    for (const Reference& reference : used.references) text += wrapped(citation(reference), "    ", "      ");
+  }
   return text;
 }
 

@@ -139,7 +139,37 @@ TEST(CheckModel, CatchesADependenceOnTheAzimuthOfAnIsotropicModel) {
 }
 
 TEST(CheckModel, CatchesCosineSamplingOfASharpLobe) {
-  EXPECT_EQ(failures(record("a * 100 * powerOfCosR(10000)")), Names{"efficiency"});
+  EXPECT_EQ(failures(record("a * 100 * powerOfCosR(10000)", "", "<sampler name='Cosine'/>")), Names{"efficiency"});
+}
+
+TEST(CheckModel, CatchesCosineSamplingFromTheExponentThatItsBoundStates) {
+  // cos^n about the normal: (n + 2)^2/(4 n + 4) - 1, 9.99 at n = 41 and 10.5 at n = 43.
+  const auto power = [](const char* n) {
+    return record("a * 5 * powerOfCosine(" + std::string(n) + ", uz, 1 - uz)", "reciprocal='no'",
+                  "<declares check='energy'>not the matter here</declares><sampler name='Cosine'/>");
+  };
+  EXPECT_EQ(failures(power("40")), Names{});
+  EXPECT_EQ(failures(power("44")), Names{"efficiency"});
+}
+
+TEST(CheckModel, DrawsASharpLobeThatNamesNoSamplerByTables) {
+  const FormulaModel sharp(record("a * 100 * powerOfCosR(10000)"), "test");
+  const Audit audit = checkModel(sharp, quick());
+  EXPECT_TRUE(audit.passed());
+  EXPECT_LT(find(audit, "efficiency").worst, 1);
+}
+
+TEST(CheckModel, KeepsAModelToWhatItDeclaresInsteadOfTheLaw) {
+  const auto bright = [](const char* allowed) {
+    return FormulaModel(record("1.1 * (1 + a) / pi", "",
+                               "<declares check='energy' allowed='" + std::string(allowed) + "'>bright</declares>"),
+                        "test");
+  };
+  EXPECT_EQ(failures(bright("1.5")), Names{"energy"});
+  const Audit audit = checkModel(bright("2.2"), quick());
+  EXPECT_TRUE(audit.passed());
+  EXPECT_TRUE(find(audit, "energy").declared);
+  EXPECT_EQ(find(audit, "energy").note, "bright");
 }
 
 TEST(CheckModel, CatchesALossOfDigits) {

@@ -1,7 +1,11 @@
 // The GLSL that `brdf export` writes, run by itself: value, density and draw of whole materials against the processor.
 #include "ProbeSupport.h"
 
+#include <random>
+
+#include <brdf/check/Cases.h>
 #include <brdf/exports/Exporter.h>
+#include <brdf/sampling/Sequence.h>
 
 #include <cmath>
 #include <cstdio>
@@ -9,12 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "ModelKit.h"
-
 namespace brdf {
 namespace {
-
-using test::PairSet;
 
 class GlslExport : public test::GlslTest {
  protected:
@@ -22,7 +22,7 @@ class GlslExport : public test::GlslTest {
     return exportMaterial(material, findExporter("glsl"), options).text;
   }
 
-  std::vector<vtkBRDFShaderProbe::Column> columns(const PairSet& set) const {
+  std::vector<vtkBRDFShaderProbe::Column> columns(const CheckPairs& set) const {
     const DirectionPairBuffer<float> narrow = set.narrow();
     const char* const names[] = {"ix", "iy", "iz", "ox", "oy", "oz"};
     std::vector<vtkBRDFShaderProbe::Column> result;
@@ -35,7 +35,7 @@ class GlslExport : public test::GlslTest {
 
   /// Each component of the value and the density, of `text`, against `material`.
   void expectAgreement(const Brdf& material, const std::string& text, const std::vector<std::string>& components) {
-    const PairSet set = test::makePairs(300, 41, false).rounded();
+    const CheckPairs set = adversarialPairs(300, 41, false).rounded();
     std::vector<double> values(material.channels().count() * set.size()), density(set.size());
     material.evaluate(set.pairs.view(), values.data(), nullptr);
     material.pdf(set.pairs.view(), density.data());
@@ -47,8 +47,8 @@ class GlslExport : public test::GlslTest {
       std::size_t positive = 0;
       for (std::size_t k = 0; k < set.size(); ++k) {
         EXPECT_NEAR(got[0][k], values[c * set.size() + k], 1e-30 + 1e-5 * values[c * set.size() + k])
-            << "component " << c << ", " << set.kinds[k] << " " << test::text(set.wi(k), set.wo(k));
-        EXPECT_NEAR(got[1][k], density[k], 1e-30 + 1e-5 * density[k]) << test::text(set.wi(k), set.wo(k));
+            << "component " << c << ", " << directionText(set.wi(k), set.wo(k));
+        EXPECT_NEAR(got[1][k], density[k], 1e-30 + 1e-5 * density[k]) << directionText(set.wi(k), set.wo(k));
         positive += values[c * set.size() + k] > 0;
       }
       EXPECT_GT(positive, set.size() / 2);
@@ -100,7 +100,9 @@ TEST_F(GlslExport, DrawsWhatTheProcessorDraws) {
   std::vector<float> wo[3], u[2];
   std::vector<double> wideWo[3], wideU[2], wi[3];
   for (std::size_t k = 0; k < count; ++k) {
-    const Direction v = test::cosineDistributed(random);
+    const double first = std::generate_canonical<double, 53>(random),
+                 second = std::generate_canonical<double, 53>(random);
+    const Direction v = cosineDirection(first, second);
     for (std::size_t axis = 0; axis < 3; ++axis) wo[axis].push_back(static_cast<float>(v[axis]));
     for (auto& numbers : u) numbers.push_back(std::min(uniform(random), 0x1.fffffep-1f));
   }

@@ -1,21 +1,20 @@
 // The conventions that material/Brdf.h states, pinned by the one BRDF whose value everyone knows.
+#include <brdf/check/Cases.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 #include <gtest/gtest.h>
-
-#include "ModelKit.h"
 
 namespace brdf {
 namespace {
 
 TEST(Conventions, ALambertianHasTheValueAlbedoOverPiWithoutTheCosine) {
   const auto material = parseMaterialExpression("0.5*Lambertian");
-  const test::PairSet set = test::makePairs(50, 1);
+  const CheckPairs set = adversarialPairs(50, 1, true);
   std::vector<double> values(set.size());
   std::vector<std::uint8_t> valid(set.size(), 7);
   material->evaluate(set.pairs.view(), values.data(), valid.data());
   for (std::size_t k = 0; k < set.size(); ++k) {
-    EXPECT_DOUBLE_EQ(values[k], 0.5 / kPi) << set.kinds[k];
+    EXPECT_DOUBLE_EQ(values[k], 0.5 / kPi) << directionText(set.wi(k), set.wo(k));
     EXPECT_EQ(valid[k], 1);
   }
 }
@@ -41,7 +40,7 @@ TEST(Conventions, BelowAndOnTheHorizonTheValueIsZeroAndValid) {
 TEST(Conventions, ChannelsArePlanarAndScaledEachByItsOwnFactor) {
   const auto material = parseMaterialExpression("(0.1,0.2,0.4)*Lambertian");
   EXPECT_EQ(material->channels(), Channels::rgb());
-  const test::PairSet set = test::makePairs(3, 2, false);
+  const CheckPairs set = adversarialPairs(3, 2, false);
   const std::size_t count = set.size();
   std::vector<double> values(3 * count);
   material->evaluate(set.pairs.view(), values.data(), nullptr);
@@ -77,7 +76,7 @@ TEST(Conventions, WiIsTheLightAndWoTheViewerOfSampleAndPdf) {
 
 TEST(Conventions, TheDensityOfALambertianIsCosineOverPi) {
   const auto material = parseMaterialExpression("Lambertian");
-  const test::PairSet set = test::makePairs(20, 3, false);
+  const CheckPairs set = adversarialPairs(20, 3, false);
   std::vector<double> density(set.size());
   material->pdf(set.pairs.view(), density.data());
   for (std::size_t k = 0; k < set.size(); ++k) EXPECT_DOUBLE_EQ(density[k], set.wi(k)[2] / kPi);

@@ -1,23 +1,21 @@
 // Sums of lobes: values add, channels are independent, and the mixture of samplers draws what its density says.
 #include <brdf/base/Error.h>
+#include <brdf/check/Cases.h>
 #include <brdf/material/LobeSum.h>
+#include <brdf/sampling/SamplerChecks.h>
 #include <gtest/gtest.h>
-
-#include "../models/ChiSquare.h"
-#include "HalfVectorGrid.h"
-#include "ModelKit.h"
 
 namespace brdf {
 namespace {
 
-std::vector<double> valuesOf(const Brdf& brdf, const test::PairSet& set) {
+std::vector<double> valuesOf(const Brdf& brdf, const CheckPairs& set) {
   std::vector<double> values(brdf.channels().count() * set.size());
   brdf.evaluate(set.pairs.view(), values.data(), nullptr);
   return values;
 }
 
 TEST(LobeSum, IsTheSumOfItsScaledLobes) {
-  const test::PairSet set = test::makePairs(150, 1);  // more than one block of 1024 pairs
+  const CheckPairs set = adversarialPairs(150, 1, true);  // more than one block of 1024 pairs
   ASSERT_GT(set.size(), 1024u);
   const std::vector<double> sum = valuesOf(
                                 *parseMaterialExpression("0.3*Lambertian + 2*GGX(alpha=0.3) + Ward(ax=0.1, ay=0.4)"),
@@ -29,7 +27,7 @@ TEST(LobeSum, IsTheSumOfItsScaledLobes) {
 }
 
 TEST(LobeSum, AChannelDependentLobeHasEachChannelsOwnShape) {
-  const test::PairSet set = test::makePairs(20, 2);
+  const CheckPairs set = adversarialPairs(20, 2, true);
   const std::vector<double> all =
       valuesOf(*parseMaterialExpression("(0.1,0.2,0.3)*GGX(alpha=(0.1,0.2,0.3), ior=1.4)"), set);
   const char* const single[] = {"0.1*GGX(alpha=0.1,ior=1.4)", "0.2*GGX(alpha=0.2,ior=1.4)",
@@ -42,18 +40,18 @@ TEST(LobeSum, AChannelDependentLobeHasEachChannelsOwnShape) {
 }
 
 TEST(LobeSum, FloatAgreesWithDoubleAtTheSameRoundedDirections) {
-  const test::PairSet set = test::makePairs(50, 3).rounded();
+  const CheckPairs set = adversarialPairs(50, 3, true).rounded();
   const auto material = parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + GGX(alpha=(0.1,0.2,0.4))");
   const std::vector<double> wide = valuesOf(*material, set);
   std::vector<float> narrow(wide.size());
   const DirectionPairBuffer<float> pairs = set.narrow();
   material->evaluate(pairs.view(), narrow.data(), nullptr);
   for (std::size_t k = 0; k < wide.size(); ++k)
-    EXPECT_NEAR(narrow[k], wide[k], 1e-5 * wide[k]) << set.kinds[k % set.size()];
+    EXPECT_NEAR(narrow[k], wide[k], 1e-5 * wide[k]) << directionText(set.wi(k % set.size()), set.wo(k % set.size()));
 }
 
 TEST(LobeSum, ParallelEvaluationGivesTheSameValues) {
-  const test::PairSet set = test::makePairs(2000, 4, false);
+  const CheckPairs set = adversarialPairs(2000, 4, false);
   const auto material = parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + GGX");
   const std::vector<double> alone = valuesOf(*material, set);
   std::vector<double> together(alone.size());
@@ -73,34 +71,13 @@ TEST(LobeSum, SamplingWeightsAreSharesOfReflectedLight) {
 }
 
 void expectDrawsAsStated(const std::string& expression, double angle) {
-  constexpr std::size_t count = 100'000;
   const auto material = parseMaterialExpression(expression);
-  const Direction wo = fromSpherical(radians(angle), 0.7);
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> uniform(0, 1);
-  std::vector<double> v[3], u[2], w[3];
-  for (std::size_t axis = 0; axis < 3; ++axis) v[axis].assign(count, wo[axis]), w[axis].resize(count);
-  for (auto& numbers : u)
-    for (std::size_t k = 0; k < count; ++k) numbers.push_back(uniform(random));
-  material->sample({v[0].data(), v[1].data(), v[2].data()}, {u[0].data(), u[1].data()},
-                   {w[0].data(), w[1].data(), w[2].data()}, count);
-  const test::HalfVectorGrid grid(wo, 0.2, 0.2);
-  std::vector<double> expected =
-      grid.integrate([&](const DirectionPairs<double>& pairs, double* density) { material->pdf(pairs, density); }, 24);
-  std::vector<double> observed(test::HalfVectorGrid::kCells);
-  double total = 0, failed = 0;
-  for (double& share : expected) total += share, share *= count;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (w[2][k] > 0)
-      ++observed[grid.cellOf({w[0][k], w[1][k], w[2][k]})];
-    else
-      ++failed;
-  }
-  observed.push_back(failed);
-  expected.push_back(count * std::max(0.0, 1 - total));
-  const test::ChiSquare result = test::chiSquare(observed, expected);
-  EXPECT_GT(result.probability, 1e-5) << expression << " at " << angle << " degrees: chi-square " << result.statistic
-                                      << " over " << result.cells << " cells";
+  const SamplerTest found = testSampler(samplerOf(*material), fromSpherical(radians(angle), 0.7));
+  EXPECT_GT(found.chiSquare.probability, 1e-5)
+      << expression << " at " << angle << " degrees: chi-square " << found.chiSquare.statistic << " over "
+      << found.chiSquare.cells << " cells";
+  EXPECT_LT(std::fabs(found.deviation), 5) << expression << " at " << angle << " degrees: " << found.integral;
+  EXPECT_EQ(found.bad + found.uncovered, 0u);
 }
 
 TEST(LobeSum, AMixtureDrawsWhatItsDensitySays) {

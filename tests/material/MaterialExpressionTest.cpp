@@ -1,11 +1,12 @@
 // Material expressions: what they mean, what is refused and where.
 #include <brdf/base/Error.h>
+#include <brdf/check/Cases.h>
 #include <brdf/material/LobeSum.h>
 #include <gtest/gtest.h>
 
-#include <clocale>
+#include <random>
 
-#include "ModelKit.h"
+#include <clocale>
 
 namespace brdf {
 namespace {
@@ -146,9 +147,9 @@ TEST(MaterialExpression, SurvivesEveryByteAndLongText) {
 TEST(MaterialExpression, DescriptionsReadBackToIdenticalValues) {
   std::mt19937_64 random(4);
   std::uniform_real_distribution<double> uniform(0, 1);
-  const test::PairSet set = test::makePairs(10, 5, false);
+  const CheckPairs set = adversarialPairs(10, 5, false);
   for (const ModelPointer& model : allModels())
-    for (const test::ParameterSet& parameters : test::softSets(*model, 4, 6))
+    for (const ParameterCase& parameters : softCases(*model, 4, 6))
       for (const bool rgb : {false, true}) {
         const std::size_t channels = rgb ? 3 : 1;
         Lobe lobe{model, {}, {}};

@@ -1,11 +1,10 @@
 // Models where the literature or the algebra says what they must be.
+#include <brdf/check/Cases.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "ModelKit.h"
 
 namespace brdf {
 namespace {
@@ -31,13 +30,13 @@ double albedo(const LobeSum& material, double degrees) {
 }
 
 void expectSame(const char* a, const char* b, double relative) {
-  const test::PairSet set = test::makePairs(100, 41, false);
+  const CheckPairs set = adversarialPairs(100, 41, false);
   std::vector<double> left(set.size()), right(set.size());
   parseMaterialExpression(a)->evaluate(set.pairs.view(), left.data(), nullptr);
   parseMaterialExpression(b)->evaluate(set.pairs.view(), right.data(), nullptr);
   for (std::size_t k = 0; k < set.size(); ++k)
     ASSERT_NEAR(left[k], right[k], relative * std::fabs(right[k]))
-        << a << " and " << b << ", " << set.kinds[k] << " " << test::text(set.wi(k), set.wo(k));
+        << a << " and " << b << ", " << directionText(set.wi(k), set.wo(k));
 }
 
 TEST(ClosedForm, SmoothRoughDiffuseModelsAreLambertian) {

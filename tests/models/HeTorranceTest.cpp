@@ -5,14 +5,13 @@
 // (|H|^2/Hz)^2).
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
+#include <brdf/check/Cases.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
-
-#include "ModelKit.h"
 
 namespace brdf {
 namespace {
@@ -85,7 +84,7 @@ Channels3 restated(const Surface& s, const Direction& wi, const Direction& wo, b
 
 TEST(HeTorrance, AgreesWithADirectSumOfThePapersSeries) {
   const ModelPointer model = findModel("HeTorrance");
-  const test::PairSet set = test::makePairs(60, 31, false);
+  const CheckPairs set = adversarialPairs(60, 31, false);
   for (const Surface& surface : {Surface{0.18, 3, 1.5}, Surface{0.03, 1, 1.8}, Surface{0.2, 0.7, 1.3}}) {
     std::array<std::vector<double>, 3> values;
     for (int c = 0; c < 3; ++c) {
@@ -96,8 +95,7 @@ TEST(HeTorrance, AgreesWithADirectSumOfThePapersSeries) {
     for (std::size_t k = 0; k < set.size(); ++k) {
       const Channels3 expected = restated(surface, set.wi(k), set.wo(k), false);
       for (int c = 0; c < 3; ++c)  // the restatement cancels near the normal and at grazing
-        ASSERT_NEAR(values[c][k], expected[c], 1e-8 * expected[c] + 1e-30)
-            << set.kinds[k] << " " << test::text(set.wi(k), set.wo(k));
+        ASSERT_NEAR(values[c][k], expected[c], 1e-8 * expected[c] + 1e-30) << directionText(set.wi(k), set.wo(k));
     }
   }
 }

@@ -2,11 +2,11 @@
 #include <brdf/base/Error.h>
 #include <brdf/models/FormulaModel.h>
 #include <brdf/models/Library.h>
+#include <brdf/sampling/SamplerChecks.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
-
-#include "ModelKit.h"
 
 namespace brdf {
 namespace {
@@ -52,6 +52,43 @@ TEST(Record, GivesItsFieldsAndDefaultsToTheRest) {
   EXPECT_EQ(model.references()[0].year, 1999);
 }
 
+TEST(Record, DeclaresWhatTheModelDoesNotKeep) {
+  const FormulaModel model(
+      record(kParameter, "m / pi",
+             R"(<declares check="energy">bright</declares><declares check="float_accuracy" allowed="1e-3">
+                                       hard </declares>)"),
+      "test.xml");
+  ASSERT_EQ(model.declarations().size(), 2u);
+  ASSERT_NE(model.declared("energy"), nullptr);
+  EXPECT_TRUE(std::isinf(model.declared("energy")->allowed));
+  EXPECT_EQ(model.declared("float_accuracy")->allowed, 1e-3);
+  EXPECT_EQ(model.declared("float_accuracy")->reason, "hard");
+  EXPECT_EQ(model.declared("normalisation"), nullptr);
+}
+
+TEST(Record, NamesNoSamplerWhenItHasNone) {
+  EXPECT_FALSE(FormulaModel(record(kParameter), "test.xml").namesSampler());
+  EXPECT_TRUE(FormulaModel(record(kParameter, "m / pi", R"(<sampler name="Cosine"/>)"), "test.xml").namesSampler());
+}
+
+TEST(Record, SamplersWithSharesDrawTheMixture) {
+  // Share m about the x axis at 45 degrees, a tenth cosine-weighted, the rest about the normal.
+  const FormulaModel model(record(kParameter, "m / pi",
+                                  R"(<sampler name="AxisCosinePower" arguments="0, 0, 1, 20" cosine="0.1"/>
+                                     <sampler name="AxisCosinePower" arguments="1, 0, 1, 80" share="m"/>)"),
+                           "test.xml");
+  const std::vector<double> parameters{0.3};
+  const Direction wo = fromSpherical(0.4, 0.2);
+  const SamplerTest found = testSampler(samplerOf(model, parameters), wo);
+  EXPECT_GT(found.chiSquare.probability, 1e-4);
+  EXPECT_LT(std::fabs(found.deviation), 5);
+  DirectionPairBuffer<double> pairs;
+  pairs.push({0, 0, 1}, wo);
+  double density = 0;
+  model.pdf(pairs.view(), parameters, &density);
+  EXPECT_NEAR(density, (0.6 * 21 / 2 + 0.3 * 81 / 2 * std::pow(0.5, 40) + 0.1) / kPi, 1e-12);
+}
+
 TEST(Record, ClampReplacesNegativeValuesByZero) {
   const auto value = [](const std::string& attributes) {
     const FormulaModel model(record(kParameter, "m - 1", "", R"(name="Test" title="A test" )" + attributes),
@@ -90,44 +127,52 @@ const std::string kParameterPlace = "test.xml, parameter m";
 
 INSTANTIATE_TEST_SUITE_P(
     Table, WrongRecord,
-    testing::Values(Wrong{"", Error::Kind::Format, "not well-formed XML", "test.xml, byte 0"},
-                    Wrong{"<model><x></model>", Error::Kind::Format, "not well-formed XML", "test.xml, byte 12"},
-                    Wrong{"<lobe/>", Error::Kind::Format, "wrong root element", "test.xml"},
-                    Wrong{"<model title='t'><equation>1</equation></model>", Error::Kind::Format,
-                          "missing attribute 'name'", "test.xml"},
-                    Wrong{"<model name='n'><equation>1</equation></model>", Error::Kind::Format,
-                          "missing attribute 'title'", "test.xml"},
-                    Wrong{"<model name='n' title='t'/>", Error::Kind::Format, "missing <equation>", "test.xml"},
-                    Wrong{record(kParameter, "m", "", R"(name="T" title="t" isotropic="maybe")"), Error::Kind::Format,
-                          "isotropic", "test.xml"},
-                    Wrong{record(R"(<parameter default="1" min="0" max="2"/>)"), Error::Kind::Format,
-                          "missing attribute 'name'", "test.xml"},
-                    Wrong{record(R"(<parameter name="m" default="1" min="0"/>)"), Error::Kind::Format,
-                          "missing attribute 'max'", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="zero" max="2"/>)"), Error::Kind::Format,
-                          "is no number", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="3" min="0" max="2"/>)"), Error::Kind::Format,
-                          "bounds out of order", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="2" max="0"/>)"), Error::Kind::Format,
-                          "bounds out of order", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" softMin="-1"/>)"),
-                          Error::Kind::Format, "bounds out of order", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="nan" max="2"/>)"), Error::Kind::Format, "",
-                          kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" scale="cubic"/>)"),
-                          Error::Kind::Format, "unknown scale", kParameterPlace},
-                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" follows="x"/>)"),
-                          Error::Kind::Value, "unknown parameter", "Test"},
-                    Wrong{record(kParameter, "m", R"(<sampler name="Magic"/>)"), Error::Kind::Value, "unknown sampler",
-                          "test.xml"},
-                    Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m"/>)"),
-                          Error::Kind::Format, "wrong number of arguments to sampler HalfBeckmann", "test.xml"},
-                    Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m, q"/>)"),
-                          Error::Kind::Formula, "unknown name", "test.xml, sampler of Test, line 1, column 1"},
-                    Wrong{record(kParameter, "m +\n rough"), Error::Kind::Formula, "unknown name",
-                          "test.xml, equation of Test, line 2, column 2"},
-                    Wrong{record(kParameter, "D_GGX(m)"), Error::Kind::Formula, "wrong number of arguments to D_GGX",
-                          "test.xml, equation of Test, line 1, column 1"}));
+    testing::Values(
+        Wrong{"", Error::Kind::Format, "not well-formed XML", "test.xml, byte 0"},
+        Wrong{"<model><x></model>", Error::Kind::Format, "not well-formed XML", "test.xml, byte 12"},
+        Wrong{"<lobe/>", Error::Kind::Format, "wrong root element", "test.xml"},
+        Wrong{"<model title='t'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'name'",
+              "test.xml"},
+        Wrong{"<model name='n'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'title'",
+              "test.xml"},
+        Wrong{"<model name='n' title='t'/>", Error::Kind::Format, "missing <equation>", "test.xml"},
+        Wrong{record(kParameter, "m", "", R"(name="T" title="t" isotropic="maybe")"), Error::Kind::Format, "isotropic",
+              "test.xml"},
+        Wrong{record(R"(<parameter default="1" min="0" max="2"/>)"), Error::Kind::Format, "missing attribute 'name'",
+              "test.xml"},
+        Wrong{record(R"(<parameter name="m" default="1" min="0"/>)"), Error::Kind::Format, "missing attribute 'max'",
+              kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="zero" max="2"/>)"), Error::Kind::Format, "is no number",
+              kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="3" min="0" max="2"/>)"), Error::Kind::Format,
+              "bounds out of order", kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="2" max="0"/>)"), Error::Kind::Format,
+              "bounds out of order", kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" softMin="-1"/>)"), Error::Kind::Format,
+              "bounds out of order", kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="nan" max="2"/>)"), Error::Kind::Format, "",
+              kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" scale="cubic"/>)"), Error::Kind::Format,
+              "unknown scale", kParameterPlace},
+        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" follows="x"/>)"), Error::Kind::Value,
+              "unknown parameter", "Test"},
+        Wrong{record(kParameter, "m", R"(<declares check="nothing">why</declares>)"), Error::Kind::Format,
+              "unknown check", "test.xml, declaration of nothing"},
+        Wrong{record(kParameter, "m", R"(<declares check="energy"/>)"), Error::Kind::Format, "missing reason",
+              "test.xml, declaration of energy"},
+        Wrong{record(kParameter, "m", R"(<declares check="float_accuracy">why</declares>)"), Error::Kind::Format,
+              "missing attribute 'allowed' of <declares>", "test.xml, declaration of float_accuracy"},
+        Wrong{record(kParameter, "m", R"(<sampler name="Cosine"/><sampler name="Cosine"/>)"), Error::Kind::Format,
+              "missing attribute 'share' of <sampler>", "test.xml"},
+        Wrong{record(kParameter, "m", R"(<sampler name="Magic"/>)"), Error::Kind::Value, "unknown sampler", "test.xml"},
+        Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m"/>)"), Error::Kind::Format,
+              "wrong number of arguments to sampler HalfBeckmann", "test.xml"},
+        Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m, q"/>)"), Error::Kind::Formula,
+              "unknown name", "test.xml, sampler of Test, line 1, column 1"},
+        Wrong{record(kParameter, "m +\n rough"), Error::Kind::Formula, "unknown name",
+              "test.xml, equation of Test, line 2, column 2"},
+        Wrong{record(kParameter, "D_GGX(m)"), Error::Kind::Formula, "wrong number of arguments to D_GGX",
+              "test.xml, equation of Test, line 1, column 1"}));
 
 TEST(Registry, ModelsHaveWhatTheirPagesNeed) {
   std::set<std::string> names;

@@ -11,8 +11,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "ModelKit.h"
-
 namespace brdf {
 namespace {
 

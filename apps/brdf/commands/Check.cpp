@@ -91,8 +91,11 @@ void print(const Output& output, const std::vector<Audit>& audits) {
   for (const Audit& audit : audits)
     for (const Check& check : audit.checks) {
       const std::string where = check.note.empty() ? check.at : check.note + (check.at.empty() ? "" : "; " + check.at);
-      table.row({audit.name, check.name, check.passed ? "ok" : "FAILED", number(check.worst), limit(check.allowed),
-                 check.passed && check.note.empty() ? "" : where});
+      table.row({audit.name, check.name,
+                 !check.passed    ? "FAILED"
+                 : check.declared ? "declared"
+                                  : "ok",
+                 number(check.worst), limit(check.allowed), check.passed && check.note.empty() ? "" : where});
     }
   output.line(table.text());
 }
@@ -107,6 +110,7 @@ Json reportOf(const std::vector<Audit>& audits) {
                         {"worst", check.worst},
                         {"at", check.at},
                         {"allowed", check.allowed},
+                        {"declared", check.declared},
                         {"note", check.note}});
     models.push_back({{"name", audit.name}, {"checks", checks}, {"kind", audit.kind}, {"passed", audit.passed()}});
   }
