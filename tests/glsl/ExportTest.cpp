@@ -1,8 +1,6 @@
 // The GLSL that `brdf export` writes, run by itself: value, density and draw of whole materials against the processor.
 #include "ProbeSupport.h"
 
-#include <random>
-
 #include <brdf/check/Cases.h>
 #include <brdf/exports/Exporter.h>
 #include <brdf/sampling/Sequence.h>
@@ -12,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <random>
 
 namespace brdf {
 namespace {
