@@ -3,6 +3,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/io/Container.h>
 #include <brdf/io/LoadMaterial.h>
+#include <brdf/io/LoadXml.h>
 #include <brdf/io/Presets.h>
 #include <brdf/material/LobeSum.h>
 
@@ -13,6 +14,7 @@ namespace brdf {
 namespace {
 
 constexpr std::string_view kPresetPrefix = "preset:";
+constexpr std::size_t kHeadBytes = 4096;
 
 bool isAsciiLetter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
@@ -64,7 +66,11 @@ LoadedMaterial loadContainer(const std::filesystem::path& path, std::string_view
 
 /// `which` empty: the file's only, or first, BRDF.
 LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view which, const ReadOptions& options) {
-  if (!std::filesystem::is_directory(path) && Container::recognises(readFileHead(path, 16))) return loadContainer(path, which, options);
+  if (!std::filesystem::is_directory(path)) {
+    const std::string head = readFileHead(path, kHeadBytes);
+    if (Container::recognises(std::string_view(head).substr(0, 16))) return loadContainer(path, which, options);
+    if (isMaterialXml(head)) return loadXml(path, which, options);
+  }
   if (!which.empty() && which != "0")
     throw Error(Error::Kind::Value,
                 {"the file holds one BRDF", path.string(), "#" + std::string(which), "#0, or none"});

@@ -10,7 +10,7 @@ namespace brdf {
 
 struct LoadedMaterial {
   BrdfPointer brdf;
-  std::string kind;         ///< "expression", "preset", "measured" or "container"
+  std::string kind;         ///< "expression", "preset", "material" (XML), "measured" or "container"
   ReadReport report;        ///< of a file: what its reader noticed; else format and source only
   Components components{};  ///< of measured files and containers: what the material has besides `brdf`
 };

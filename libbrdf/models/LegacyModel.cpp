@@ -34,7 +34,9 @@ std::string translateLegacyModel(std::string_view xml, const std::string& where)
     record.append_attribute("max").set_value(std::max({low, high, value}), 17);
     record.text() = "As declared by BRDFLab 0.8.2.";
   }
-  const std::string equation = root.child_value("Equation");
+  std::string equation = root.child_value("Equation");
+  constexpr std::string_view less = "U+003C";  // how that program writes '<' in XML
+  for (std::size_t at; (at = equation.find(less)) != std::string::npos;) equation.replace(at, less.size(), "<");
   if (equation.empty()) throw Error(Error::Kind::Format, {"missing <Equation>", where});
   model.append_child("equation").text() = equation.c_str();
   pugi::xml_node declares = model.append_child("declares");

@@ -6,9 +6,8 @@
 
 #include <brdf/base/Text.h>
 #include <brdf/fit/Fit.h>
-#include <brdf/io/Container.h>
 #include <brdf/io/LoadMaterial.h>
-#include <brdf/measured/Format.h>
+#include <brdf/io/SaveMaterial.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -18,15 +17,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kContainer = "vtkhdf";
-
-std::vector<std::string> writableFormats() {
-  std::vector<std::string> names = {kContainer};
-  for (const Format& format : allFormats())
-    if (format.write) names.push_back(format.name);
-  return names;
-}
-
 struct Values {
   std::string in, out, format;
 };
@@ -34,19 +24,11 @@ struct Values {
 void run(const Output& output, const Values& values) {
   if (std::filesystem::path(values.out).has_filename()) checkWritable(values.out);  // else a folder of files
   const LoadedMaterial loaded = loadMaterial(values.in, assumptions());
-  WriteReport written;
-  const bool container = values.format == kContainer ||
-                         (values.format.empty() && std::filesystem::path(values.out).extension() == ".vtkhdf");
-  if (container)
-    writeContainer(values.out, "material", *loaded.brdf, makeProvenance(loaded.report, "convert"), loaded.components);
-  else
-    written = writeMeasured(*loaded.brdf, values.out, values.format);
-  if (!container && !loaded.components.empty())
-    written.losses.push_back("components other than the front reflection: only a container keeps them");
+  const WriteReport written = saveMaterial(loaded, values.out, values.format, "convert");
 
   const LoadedMaterial again = loadMaterial(values.out);
   Json report = {{"in", values.in}, {"out", values.out}};
-  report["format"] = container ? kContainer : again.report.format;
+  report["format"] = again.kind == "container" ? "vtkhdf" : again.report.format;
   report["samples"] = again.report.samples;
   report["losses"] = written.losses;
   std::string text = values.out + ": " + report["format"].get<std::string>();
@@ -78,7 +60,7 @@ Command convertCommand() {
             arguments.positional("IN", values->in, "A file, an expression or preset:NAME");
             arguments.positional("OUT", values->out, "The file to write; it is replaced when complete");
             arguments.option("--format", values->format, "NAME",
-                             "Format of OUT, else by its extension: " + joined(writableFormats()));
+                             "Format of OUT, else by its extension: " + joined(materialFormats()));
           },
           [values](const Output& output) { run(output, *values); }};
 }

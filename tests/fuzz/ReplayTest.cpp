@@ -1,0 +1,41 @@
+// The corpus of the fuzzers and the hand-written files, given to every reader: each answers or refuses, none crashes.
+#include <brdf/base/File.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+
+#include "Targets.h"
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::vector<fs::path> filesBelow(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (fs::exists(folder))
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) files.push_back(entry.path());
+  return files;
+}
+
+}  // namespace
+
+TEST(Replay, EveryTargetStandsItsCorpusAndEveryHandWrittenFile) {
+  const fs::path tests = fs::path(BRDF_SOURCE_DIR) / "tests";
+  const auto seeds = filesBelow(tests / "data");
+  EXPECT_GE(seeds.size(), 10u);
+  for (const FuzzTarget& target : fuzzTargets()) {
+    auto files = filesBelow(tests / "fuzz/corpus" / target.name);
+    files.insert(files.end(), seeds.begin(), seeds.end());
+    for (const fs::path& file : files)
+      EXPECT_NO_THROW(target.run(brdf::readFile(file))) << target.name << " on " << file;
+  }
+}
+
+TEST(Replay, EveryFolderOfTheCorpusHasATarget) {
+  std::set<std::string> names;
+  for (const FuzzTarget& target : fuzzTargets()) names.insert(target.name);
+  for (const auto& entry : fs::directory_iterator(fs::path(BRDF_SOURCE_DIR) / "tests/fuzz/corpus"))
+    EXPECT_TRUE(names.contains(entry.path().filename().string())) << entry.path();
+}
