@@ -36,6 +36,8 @@ TEST(Replay, EveryTargetStandsItsCorpusAndEveryHandWrittenFile) {
 TEST(Replay, EveryFolderOfTheCorpusHasATarget) {
   std::set<std::string> names;
   for (const FuzzTarget& target : fuzzTargets()) names.insert(target.name);
-  for (const auto& entry : fs::directory_iterator(fs::path(BRDF_SOURCE_DIR) / "tests/fuzz/corpus"))
+  const fs::path corpus = fs::path(BRDF_SOURCE_DIR) / "tests/fuzz/corpus";
+  ASSERT_TRUE(fs::is_directory(corpus));
+  for (const auto& entry : fs::directory_iterator(corpus))
     EXPECT_TRUE(names.contains(entry.path().filename().string())) << entry.path();
 }
