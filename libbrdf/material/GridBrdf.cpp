@@ -2,7 +2,7 @@
 #include <brdf/base/Parallel.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/GridBrdf.h>
-#include <brdf/material/GridLocator.h>
+#include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
 
 #include <algorithm>
@@ -47,14 +47,12 @@ void clean(GridData& data) {
 
 }  // namespace
 
-class GridBrdf::Locator : public GridLocator {
- public:
-  using GridLocator::GridLocator;
-};
-
+/// The cells as samples, and for look-ups: what grids that share them share.
 class GridBrdf::Cells : public SampleSet {
  public:
-  explicit Cells(std::shared_ptr<const GridData> data) : data_(std::move(data)) {}
+  explicit Cells(std::shared_ptr<const GridData> data)
+      : data_(std::move(data)),
+        lookup(data_->values.data(), data_->states.data(), data_->states.size(), data_->channels.count()) {}
 
   std::size_t count() const override { return data_->states.size(); }
   const Channels& channels() const override { return data_->channels; }
@@ -76,6 +74,9 @@ class GridBrdf::Cells : public SampleSet {
 
  private:
   std::shared_ptr<const GridData> data_;
+
+ public:
+  const GridCells lookup;
 };
 
 GridBrdf::GridBrdf(GridData data, std::string description, Lookup lookup)
@@ -84,14 +85,14 @@ GridBrdf::GridBrdf(GridData data, std::string description, Lookup lookup)
   clean(data);
   data_ = std::make_shared<const GridData>(std::move(data));
   cells_ = std::make_shared<const Cells>(data_);
-  locator_ = std::make_unique<const Locator>(data_->layout, lookup == Lookup::Nearest);
+  locator_ = std::make_unique<const GridLocator>(data_->layout, lookup == Lookup::Nearest);
 }
 
 GridBrdf::GridBrdf(std::shared_ptr<const GridData> data, std::shared_ptr<const Cells> cells, std::string description,
                    Lookup lookup)
     : data_(std::move(data)),
       cells_(std::move(cells)),
-      locator_(std::make_unique<const Locator>(data_->layout, lookup == Lookup::Nearest)),
+      locator_(std::make_unique<const GridLocator>(data_->layout, lookup == Lookup::Nearest)),
       description_(std::move(description)),
       lookup_(lookup) {}
 
@@ -104,84 +105,17 @@ std::shared_ptr<const GridBrdf> GridBrdf::with(Lookup lookup) const {
 const SampleSet* GridBrdf::samples() const { return cells_.get(); }
 
 void GridBrdf::evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
-  if (lookup_ == Lookup::Nearest) return nearest(pairs, values, valid);
-  switch (locator_->dimensions()) {
-    case 0:
-      return nearest(pairs, values, valid);
-    case 1:
-      return interpolate<2>(pairs, values, valid);
-    case 2:
-      return interpolate<4>(pairs, values, valid);
-    case 3:
-      return interpolate<8>(pairs, values, valid);
-    default:
-      return interpolate<16>(pairs, values, valid);
-  }
+  if (lookup_ == Lookup::Nearest)
+    cells_->lookup.nearest(*locator_, pairs, values, valid);
+  else
+    cells_->lookup.interpolate(*locator_, pairs, values, valid);
 }
 
-void GridBrdf::nearest(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
-  const std::size_t cells = data_->states.size(), channelCount = data_->channels.count();
-  Locator::Block block;
-  for (std::size_t start = 0; start < pairs.count; start += Locator::kBlock) {
-    const auto part = pairs.slice(start, std::min(Locator::kBlock, pairs.count - start));
-    locator_->locate(part, block);
-    for (std::size_t i = 0; i < part.count; ++i) {
-      const bool above = part.wi[2][i] > 0 && part.wo[2][i] > 0;
-      std::size_t cell = 0;
-      for (std::size_t a = 0; a < locator_->dimensions(); ++a) cell += block.places[a][i].lower;
-      const bool known = data_->states[cell] && !block.outside[i];
-      for (std::size_t channel = 0; channel < channelCount; ++channel)
-        values[channel * pairs.count + start + i] = above && known ? data_->values[channel * cells + cell] : 0.0;
-      if (valid) valid[start + i] = known || !above;
-    }
-  }
-}
-
-template <int corners>
-void GridBrdf::interpolate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
-  const std::size_t cells = data_->states.size(), channelCount = data_->channels.count();
-  const std::uint8_t* states = data_->states.data();
-  Locator::Block block;
-  for (std::size_t start = 0; start < pairs.count; start += Locator::kBlock) {
-    const auto part = pairs.slice(start, std::min(Locator::kBlock, pairs.count - start));
-    locator_->locate(part, block);
-    for (std::size_t i = 0; i < part.count; ++i) {
-      const std::size_t out = start + i;
-      const bool above = part.wi[2][i] > 0 && part.wo[2][i] > 0;
-      if (!above || block.outside[i]) {
-        for (std::size_t channel = 0; channel < channelCount; ++channel) values[channel * pairs.count + out] = 0;
-        if (valid) valid[out] = !above;
-        continue;
-      }
-      // Corners and weights double with each axis.
-      std::array<std::uint32_t, corners> corner;
-      std::array<double, corners> weight;
-      corner[0] = 0;
-      weight[0] = 1;
-      for (int a = 0, have = 1; have < corners; ++a, have *= 2) {
-        const GridPlace place = block.places[static_cast<std::size_t>(a)][i];
-        for (int k = 0; k < have; ++k) {
-          corner[have + k] = corner[k] + place.upper;
-          weight[have + k] = weight[k] * place.weight;
-          corner[k] += place.lower;
-          weight[k] *= 1 - place.weight;
-        }
-      }
-      double total = 0;
-      for (int k = 0; k < corners; ++k) {
-        if (!states[corner[k]]) weight[k] = 0;
-        total += weight[k];
-      }
-      const double scale = total > 0 ? 1 / total : 0;
-      for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        const double* plane = data_->values.data() + channel * cells;
-        double sum = 0;
-        for (int k = 0; k < corners; ++k) sum += weight[k] * plane[corner[k]];
-        values[channel * pairs.count + out] = sum * scale;
-      }
-      if (valid) valid[out] = total > 0;
-    }
-  }
+void GridBrdf::evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const {
+  if (lookup_ == Lookup::Nearest)
+    cells_->lookup.nearest(*locator_, pairs, values, valid);
+  else
+    cells_->lookup.interpolate(*locator_, pairs, values, valid);
 }
 
 std::shared_ptr<const GridBrdf> GridBrdf::tabulate(const Brdf& brdf, const GridLayout& layout) {

@@ -11,6 +11,8 @@
 
 namespace brdf {
 
+class GridLocator;
+
 /// The content of a grid. Values are f_r in 1/sr without the cosine, whatever the file had (`original`): a reader
 /// converts with convertQuantity(). Double: 8 bytes a value and 1 byte a cell.
 struct GridData {
@@ -56,21 +58,18 @@ class BRDF_EXPORT GridBrdf : public Brdf {
   bool reciprocal() const override { return data_->layout.reciprocal(); }
   std::string description() const override { return description_; }
   void evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const override;
+  void evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const override;
   using Brdf::evaluate;
   const SampleSet* samples() const override;
 
  private:
   class Cells;
-  class Locator;
   GridBrdf(std::shared_ptr<const GridData> data, std::shared_ptr<const Cells> cells, std::string description,
            Lookup lookup);
-  template <int corners>
-  void interpolate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const;
-  void nearest(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const;
 
   std::shared_ptr<const GridData> data_;
   std::shared_ptr<const Cells> cells_;
-  std::unique_ptr<const Locator> locator_;
+  std::unique_ptr<const GridLocator> locator_;
   std::string description_;
   Lookup lookup_;
 };

@@ -120,20 +120,16 @@ void GridLocator::Axis::prepare() {
 }
 
 inline double GridLocator::Axis::position(double coordinate) const {
-  const double steps = (coordinate - origin) * inverseStep;
-  if (uniform) {
-    const double end = static_cast<double>(points.size() - 1);
-    return steps > 0 ? (steps < end ? steps : end) : 0.0;  // NaN is 0
-  }
-  if (!(coordinate > points.front())) return 0;
+  if (!(coordinate > points.front())) return 0;  // NaN is 0
   if (coordinate >= points.back()) return static_cast<double>(points.size() - 1);
+  const double steps = (coordinate - origin) * inverseStep;
   std::size_t at = buckets[std::min(static_cast<std::size_t>(steps), buckets.size() - 1)];
   while (at > 0 && coordinate < points[at]) --at;
   while (coordinate >= points[at + 1]) ++at;
   return static_cast<double>(at) + (coordinate - points[at]) / (points[at + 1] - points[at]);
 }
 
-GridLocator::GridLocator(const GridLayout& layout, bool cells) : cells_(cells) {
+GridLocator::GridLocator(const GridLayout& layout, bool cells) {
   std::string text = forwardMap(layout);
   std::size_t stride = 1;
   for (const GridAxis& axis : layout.axes) {
@@ -179,36 +175,55 @@ GridLocator::GridLocator(const GridLayout& layout, bool cells) : cells_(cells) {
   program_.emplace(graph, outputs);
 }
 
-void GridLocator::locate(const DirectionPairs<double>& pairs, Block& block) const {
+template <class T>
+void GridLocator::locate(const DirectionPairs<T>& pairs, Block<T>& block) const {
+  std::fill_n(block.base.begin(), pairs.count, 0);
   std::fill_n(block.outside.begin(), pairs.count, 0);
+  block.anyOutside = false;
   if (axes_.empty()) return;
-  std::array<std::array<double, kBlock>, 4> coordinates;
-  const std::array<const double*, static_cast<std::size_t>(formula::Input::Count)> inputs = {
+  std::array<std::array<T, kBlock>, 4> coordinates;
+  const std::array<const T*, static_cast<std::size_t>(formula::Input::Count)> inputs = {
       pairs.wi[0], pairs.wi[1], pairs.wi[2], pairs.wo[0], pairs.wo[1], pairs.wo[2]};
-  std::array<double*, 4> outputs{};
+  std::array<T*, 4> outputs{};
   for (std::size_t a = 0; a < axes_.size(); ++a) outputs[a] = coordinates[a].data();
   program_->run(inputs.data(), {}, outputs.data(), pairs.count);
   for (std::size_t a = 0; a < axes_.size(); ++a) {
     const Axis& axis = axes_[a];
-    const double* coordinate = coordinates[a].data();
-    GridPlace* places = block.places[a].data();
+    T* __restrict position = coordinates[a].data();
     if (axis.bounded)
-      for (std::size_t i = 0; i < pairs.count; ++i)
-        block.outside[i] |= !(coordinate[i] >= axis.low && coordinate[i] <= axis.high);
-    const std::size_t lastCell = axis.count - 1, lastInterval = axis.points.size() - 2;
-    for (std::size_t i = 0; i < pairs.count; ++i) {
-      const double position = axis.position(coordinate[i]);
-      const auto whole = static_cast<std::size_t>(position);
-      if (cells_) {
-        const auto cell = static_cast<std::uint32_t>(std::min(whole, lastCell) * axis.stride);
-        places[i] = {cell, cell, 0};
-        continue;
+      for (std::size_t i = 0; i < pairs.count; ++i) {
+        block.outside[i] |= !(position[i] >= axis.low && position[i] <= axis.high);
+        block.anyOutside |= block.outside[i] != 0;
       }
-      const std::size_t lower = std::min(whole, lastInterval), upper = lower == lastCell ? 0 : lower + 1;
-      places[i] = {static_cast<std::uint32_t>(lower * axis.stride), static_cast<std::uint32_t>(upper * axis.stride),
-                   position - static_cast<double>(lower)};
+    if (axis.uniform) {
+      const T origin = static_cast<T>(axis.origin), perStep = static_cast<T>(axis.inverseStep);
+      const T end = static_cast<T>(axis.points.size() - 1);
+      for (std::size_t i = 0; i < pairs.count; ++i) {
+        const T steps = (position[i] - origin) * perStep;
+        const T above = steps > 0 ? steps : T(0);  // NaN is 0
+        position[i] = above < end ? above : end;
+      }
+    } else {
+      for (std::size_t i = 0; i < pairs.count; ++i) position[i] = static_cast<T>(axis.position(position[i]));
+    }
+    std::uint32_t* __restrict base = block.base.data();
+    std::int32_t* __restrict step = block.step[a].data();
+    T* __restrict weight = block.weight[a].data();
+    const auto stride = static_cast<std::int32_t>(axis.stride), lastCell = static_cast<std::int32_t>(axis.count - 1);
+    const auto lastInterval = static_cast<std::int32_t>(axis.points.size() - 2);
+    // Past the last cell, where the axis is periodic, comes the first.
+    const std::int32_t home = -lastCell * stride;
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+      const auto whole = static_cast<std::int32_t>(position[i]);
+      const std::int32_t lower = whole < lastInterval ? whole : lastInterval;
+      base[i] += static_cast<std::uint32_t>(lower * stride);
+      step[i] = lower == lastCell ? home : stride;
+      weight[i] = position[i] - static_cast<T>(lower);
     }
   }
 }
+
+template void GridLocator::locate(const DirectionPairs<float>&, Block<float>&) const;
+template void GridLocator::locate(const DirectionPairs<double>&, Block<double>&) const;
 
 }  // namespace brdf

@@ -8,28 +8,29 @@
 
 namespace brdf {
 
-/// A point between two cells of one axis.
-struct GridPlace {
-  std::uint32_t lower, upper;  ///< offsets into the grid: index times stride
-  double weight;               ///< of the upper one
-};
-
 class GridLocator {
  public:
-  static constexpr std::size_t kBlock = 512;
+  static constexpr std::size_t kBlock = 256;
 
-  /// `cells` true: which cell a pair is in (weight 0, lower = upper); false: which nodes it is between.
+  /// `cells` true: which cell a pair is in; false: which nodes it is between.
   GridLocator(const GridLayout& layout, bool cells);
 
   /// Axes with more than one node: the others change nothing.
   std::size_t dimensions() const { return axes_.size(); }
 
+  /// For each pair: the cell below it on all axes, and on each axis what leads from there to the next cell and its
+  /// weight.
+  template <class T>
   struct Block {
-    std::array<std::array<GridPlace, kBlock>, 4> places;  ///< for each dimension, for each pair
-    std::array<std::uint8_t, kBlock> outside;             ///< 1 where an axis says that there is no value
+    std::array<std::uint32_t, kBlock> base;
+    std::array<std::array<std::int32_t, kBlock>, 4> step;
+    std::array<std::array<T, kBlock>, 4> weight;
+    std::array<std::uint8_t, kBlock> outside;  ///< 1 where an axis says that there is no value
+    bool anyOutside;
   };
-  /// At most kBlock pairs.
-  void locate(const DirectionPairs<double>& pairs, Block& block) const;
+  /// At most kBlock pairs. T is float or double.
+  template <class T>
+  void locate(const DirectionPairs<T>& pairs, Block<T>& block) const;
 
  private:
   /// Ascending points of one axis in its scale, and where a coordinate lies among them.
@@ -44,11 +45,10 @@ class GridLocator {
     double low, high;
 
     void prepare();
-    double position(double coordinate) const;  ///< in [0, points.size() - 1]
+    double position(double coordinate) const;  ///< in [0, points.size() - 1]; where points are not equally spaced
   };
   std::vector<Axis> axes_;
   std::optional<formula::Program> program_;
-  bool cells_;
 };
 
 }  // namespace brdf

@@ -1,6 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
-#include <brdf/geometry/Directions.h>
+#include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/material/TableBrdf.h>
 
@@ -11,64 +11,17 @@
 namespace brdf {
 namespace {
 
-constexpr std::size_t kBlock = 256;
-
-/// Positions on the three axes of a table, in steps: phi_d in [0, phiD), the others in [0, count].
-struct AxisPositions {
-  std::array<double, kBlock> phiD, thetaD, thetaH;
-};
-
-/// What toHalfDifference does, without its trigonometry of the half vector, for a block.
-void axisPositions(const TableLayout& layout, const DirectionPairs<double>& pairs, AxisPositions& position) {
-  // Numerators and denominators first, in a loop that vectorises; the arc tangents after.
-  std::array<double, kBlock> sumXY, sumZ, sum, difference, x, y;
-  for (std::size_t i = 0; i < pairs.count; ++i) {
-    const double sx = pairs.wi[0][i] + pairs.wo[0][i], dx = pairs.wi[0][i] - pairs.wo[0][i];
-    const double sy = pairs.wi[1][i] + pairs.wo[1][i], dy = pairs.wi[1][i] - pairs.wo[1][i];
-    const double sz = pairs.wi[2][i] + pairs.wo[2][i], dz = pairs.wi[2][i] - pairs.wo[2][i];
-    const double xy = std::sqrt(sx * sx + sy * sy);
-    sumXY[i] = xy;
-    sumZ[i] = sz;
-    sum[i] = std::sqrt(sx * sx + sy * sy + sz * sz);
-    difference[i] = std::sqrt(dx * dx + dy * dy + dz * dz);
-    const double cosPhi = xy > 0 ? sx / xy : 1.0, sinPhi = xy > 0 ? sy / xy : 0.0;
-    x[i] = (sz * (cosPhi * dx + sinPhi * dy) - xy * dz) / sum[i];
-    y[i] = cosPhi * dy - sinPhi * dx;
-  }
-  const double period = layout.reciprocal ? kPi : 2 * kPi;
-  const double phiSteps = static_cast<double>(layout.phiD);
-  const double thetaDSteps = static_cast<double>(layout.thetaD), thetaHSteps = static_cast<double>(layout.thetaH);
-  for (std::size_t i = 0; i < pairs.count; ++i) {
-    position.thetaH[i] = thetaHSteps * std::sqrt(std::atan2(sumXY[i], sumZ[i]) / (kPi / 2));
-    position.thetaD[i] = thetaDSteps * std::atan2(difference[i], sum[i]) / (kPi / 2);
-    double phi = std::atan2(y[i], x[i]);
-    if (phi < 0) phi += period;
-    const double steps = phiSteps * phi / period;
-    position.phiD[i] = steps < phiSteps ? steps : 0;  // phi_d = pi is phi_d = 0 where the period is pi
-  }
-}
-
-/// The two cells about a position, and the weight of the second.
-struct Bracket {
-  std::size_t lower, upper;
-  double weight;
-};
-
-Bracket clampedBracket(double position, std::size_t count) {
-  const double last = static_cast<double>(count - 1);
-  const double inside = std::clamp(position, 0.0, last);
-  const auto lower = static_cast<std::size_t>(inside);
-  return {lower, std::min(lower + 1, count - 1), inside - static_cast<double>(lower)};
-}
-
-Bracket periodicBracket(double position, std::size_t count) {
-  if (position < 0) position += static_cast<double>(count);
-  const std::size_t lower = std::min(static_cast<std::size_t>(position), count - 1);
-  return {lower, lower + 1 == count ? 0 : lower + 1, position - static_cast<double>(lower)};
-}
-
-std::size_t truncated(double position, std::size_t count) {
-  return std::min(static_cast<std::size_t>(position), count - 1);
+/// The table's axes; with nodes at the lower ends of the cells instead of their middles when the position says so.
+std::unique_ptr<const GridLocator> locatorOf(const TableLayout& layout, TableBrdf::Lookup lookup,
+                                             TableBrdf::Position position) {
+  GridLayout grid = GridLayout::fromTable(layout);
+  const bool cells = lookup == TableBrdf::Lookup::Nearest;
+  if (!cells && position == TableBrdf::Position::Node)
+    for (GridAxis& axis : grid.axes) {
+      axis.nodes.assign(axis.edges.begin(), axis.edges.end() - 1);
+      axis.edges.clear();
+    }
+  return std::make_unique<const GridLocator>(grid, cells);
 }
 
 void check(const TableData& data) {
@@ -94,7 +47,10 @@ void check(const TableData& data) {
 
 class TableBrdf::Cells : public SampleSet {
  public:
-  explicit Cells(std::shared_ptr<const TableData> data) : data_(std::move(data)), directions_(data_->layout) {}
+  explicit Cells(std::shared_ptr<const TableData> data)
+      : data_(std::move(data)),
+        directions_(data_->layout),
+        lookup(data_->values.data(), data_->valid.data(), data_->valid.size(), data_->channels.count()) {}
 
   std::size_t count() const override { return data_->layout.cells(); }
   const Channels& channels() const override { return data_->channels; }
@@ -121,6 +77,9 @@ class TableBrdf::Cells : public SampleSet {
  private:
   std::shared_ptr<const TableData> data_;
   TableDirections directions_;
+
+ public:
+  const GridCells lookup;
 };
 
 TableBrdf::TableBrdf(TableData data, std::string description, Lookup lookup, Position position)
@@ -140,12 +99,14 @@ TableBrdf::TableBrdf(TableData data, std::string description, Lookup lookup, Pos
   });
   data_ = std::make_shared<const TableData>(std::move(data));
   cells_ = std::make_shared<const Cells>(data_);
+  locator_ = locatorOf(data_->layout, lookup, position);
 }
 
 TableBrdf::TableBrdf(std::shared_ptr<const TableData> data, std::shared_ptr<const Cells> cells, std::string description,
                      Lookup lookup, Position position)
     : data_(std::move(data)),
       cells_(std::move(cells)),
+      locator_(locatorOf(data_->layout, lookup, position)),
       description_(std::move(description)),
       lookup_(lookup),
       position_(position) {}
@@ -159,54 +120,17 @@ std::shared_ptr<const TableBrdf> TableBrdf::with(Lookup lookup, Position positio
 const SampleSet* TableBrdf::samples() const { return cells_.get(); }
 
 void TableBrdf::evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
-  const TableLayout& layout = data_->layout;
-  const std::size_t cells = layout.cells(), channelCount = data_->channels.count();
-  const std::size_t slab = layout.phiD * layout.thetaD;
-  const double offset = position_ == Position::Centre ? 0.5 : 0.0;
-  AxisPositions position;
-  for (std::size_t start = 0; start < pairs.count; start += kBlock) {
-    const auto block = pairs.slice(start, std::min(kBlock, pairs.count - start));
-    axisPositions(layout, block, position);
-    for (std::size_t i = 0; i < block.count; ++i) {
-      const std::size_t out = start + i;
-      if (!(block.wi[2][i] > 0 && block.wo[2][i] > 0)) {
-        for (std::size_t channel = 0; channel < channelCount; ++channel) values[channel * pairs.count + out] = 0;
-        if (valid) valid[out] = 1;
-        continue;
-      }
-      if (lookup_ == Lookup::Nearest) {
-        const std::size_t cell = truncated(position.phiD[i], layout.phiD) +
-                                 layout.phiD * truncated(position.thetaD[i], layout.thetaD) +
-                                 slab * truncated(position.thetaH[i], layout.thetaH);
-        for (std::size_t channel = 0; channel < channelCount; ++channel)
-          values[channel * pairs.count + out] = data_->values[channel * cells + cell];
-        if (valid) valid[out] = data_->valid[cell] != 0;
-        continue;
-      }
-      const Bracket p = periodicBracket(position.phiD[i] - offset, layout.phiD);
-      const Bracket d = clampedBracket(position.thetaD[i] - offset, layout.thetaD);
-      const Bracket h = clampedBracket(position.thetaH[i] - offset, layout.thetaH);
-      std::array<std::size_t, 8> corner;
-      std::array<double, 8> weight;
-      double total = 0;
-      for (std::size_t k = 0; k < 8; ++k) {
-        corner[k] = (k & 1 ? p.upper : p.lower) + layout.phiD * (k & 2 ? d.upper : d.lower) +
-                    slab * (k & 4 ? h.upper : h.lower);
-        weight[k] =
-            (k & 1 ? p.weight : 1 - p.weight) * (k & 2 ? d.weight : 1 - d.weight) * (k & 4 ? h.weight : 1 - h.weight);
-        if (!data_->valid[corner[k]]) weight[k] = 0;
-        total += weight[k];
-      }
-      const double scale = total > 0 ? 1 / total : 0;
-      for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        const double* plane = data_->values.data() + channel * cells;
-        double sum = 0;
-        for (std::size_t k = 0; k < 8; ++k) sum += weight[k] * plane[corner[k]];
-        values[channel * pairs.count + out] = sum * scale;
-      }
-      if (valid) valid[out] = total > 0;
-    }
-  }
+  if (lookup_ == Lookup::Nearest)
+    cells_->lookup.nearest(*locator_, pairs, values, valid);
+  else
+    cells_->lookup.interpolate(*locator_, pairs, values, valid);
+}
+
+void TableBrdf::evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const {
+  if (lookup_ == Lookup::Nearest)
+    cells_->lookup.nearest(*locator_, pairs, values, valid);
+  else
+    cells_->lookup.interpolate(*locator_, pairs, values, valid);
 }
 
 std::shared_ptr<const TableBrdf> TableBrdf::tabulate(const Brdf& brdf, const TableLayout& layout) {

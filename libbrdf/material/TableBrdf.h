@@ -10,6 +10,8 @@
 
 namespace brdf {
 
+class GridLocator;
+
 /// The cells of a table. Always double (what MERL files hold): 8 bytes a value and 1 byte a cell, so 36.5 MB for MERL's
 /// 90 x 90 x 180 cells in RGB.
 struct TableData {
@@ -61,6 +63,7 @@ class BRDF_EXPORT TableBrdf : public Brdf {
   bool reciprocal() const override { return data_->layout.reciprocal; }
   std::string description() const override { return description_; }
   void evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const override;
+  void evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const override;
   using Brdf::evaluate;
   const SampleSet* samples() const override;
 
@@ -71,6 +74,7 @@ class BRDF_EXPORT TableBrdf : public Brdf {
 
   std::shared_ptr<const TableData> data_;
   std::shared_ptr<const Cells> cells_;
+  std::unique_ptr<const GridLocator> locator_;
   std::string description_;
   Lookup lookup_;
   Position position_;

@@ -1,5 +1,7 @@
 // Look-ups in grids: interpolation error, symmetry, holes, ends of the axes, samples, quantities.
 #include <brdf/base/Error.h>
+#include <brdf/formula/Program.h>
+#include <brdf/material/ChannelView.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/material/TableBrdf.h>
@@ -288,6 +290,40 @@ TEST(GridBrdf, ManyChannelsAndBigBatchesKeepTheirPlaces) {
   for (std::size_t channel = 0; channel < 4; ++channel)
     for (std::size_t i = 0; i < pairs.size(); ++i)
       EXPECT_NEAR(values[channel * pairs.size() + i], static_cast<double>(channel), 1e-12);
+}
+
+TEST(GridBrdf, FloatLookUpsAndEveryInstructionSetAgree) {
+  const auto material = brdf::parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + 0.2*Ward(ax=0.5, ay=0.7)");
+  const auto pairs = randomPairs(3001, kRight);
+  const auto wide = bufferOf(pairs);
+  brdf::DirectionPairBuffer<float> narrow(pairs.size());
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    narrow.wi[axis].assign(wide.wi[axis].begin(), wide.wi[axis].end());
+    narrow.wo[axis].assign(wide.wo[axis].begin(), wide.wo[axis].end());
+  }
+  const std::string best(brdf::formula::instructionSet());
+  for (const GridLayout& layout : {halfFull(1), isotropicHalf(1)})
+    for (const bool rgb : {true, false}) {
+      const auto seen = rgb ? brdf::BrdfPointer(material) : brdf::asLuminance(material);
+      const auto grid = GridBrdf::tabulate(*seen, layout);
+      const std::size_t count = grid->channels().count() * pairs.size();
+      std::vector<double> first(count), other(count);
+      std::vector<float> floats(count);
+      std::vector<std::uint8_t> valid(pairs.size()), otherValid(pairs.size());
+      brdf::formula::setInstructionSet("generic");
+      grid->evaluate(wide.view(), first.data(), valid.data());
+      for (const auto set : brdf::formula::instructionSets()) {
+        brdf::formula::setInstructionSet(set);
+        grid->evaluate(wide.view(), other.data(), otherValid.data());
+        EXPECT_EQ(valid, otherValid) << set;
+        for (std::size_t i = 0; i < count; ++i)
+          EXPECT_NEAR(other[i], first[i], 1e-12 * (1 + std::abs(first[i]))) << set;
+        grid->evaluate(narrow.view(), floats.data(), otherValid.data());
+        for (std::size_t i = 0; i < count; ++i)
+          EXPECT_NEAR(floats[i], first[i], 2e-5 * (1 + std::abs(first[i]))) << set;
+      }
+    }
+  brdf::formula::setInstructionSet(best);
 }
 
 TEST(GridBrdf, WrongArraysAreErrors) {
