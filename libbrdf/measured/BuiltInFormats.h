@@ -18,5 +18,7 @@ Format pabFormat();            ///< PabFormat.cpp
 Format birdFormat();           ///< BirdFormat.cpp
 Format brdfLabTextFormat();    ///< BrdfLabText.cpp
 Format brdfLabExportFormat();  ///< BrdfLabText.cpp
+Format rglFormat();            ///< RglFormat.cpp
+Format kaistFormat();          ///< RglFormat.cpp
 
 }  // namespace brdf

@@ -29,6 +29,8 @@ std::vector<Format>& registry() {
       birdFormat(),
       brdfLabTextFormat(),
       brdfLabExportFormat(),
+      rglFormat(),
+      kaistFormat(),
   };
   // clang-format on
   return formats;
