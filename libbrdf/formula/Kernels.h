@@ -20,15 +20,24 @@ struct KernelTable {
   Kernel<T> kernels[static_cast<std::size_t>(Op::Count)][8];
 };
 
+/// Addresses of functions of whole vectors, V f(V) at [op], V f(V, V) at [Op::Count + op], for the operations that take
+/// a call; null for the others. They have the platform's calling convention for V.
+using VectorFunction = void (*)();
+
 struct KernelSet {
   const char* name;
   const KernelTable<float>* floats;
   const KernelTable<double>* doubles;
+  /// What machine code (NativeCode.h) needs: bytes of a vector, 0 where there is no machine code, and VectorFunction
+  /// tables for float and double.
+  std::size_t vectorBytes = 0;
+  const void *floatFunctions = nullptr, *doubleFunctions = nullptr;
 };
 
 extern const KernelSet kKernelsGeneric;
 #if defined(__x86_64__)
 extern const KernelSet kKernelsSse2, kKernelsAvx2, kKernelsAvx512;
+extern const KernelSet kKernelsAvx2Alone, kKernelsAvx512Alone;  ///< without machine code
 #endif
 
 }  // namespace brdf::formula

@@ -141,6 +141,43 @@ constexpr KernelTable<T> makeTable() {
   return t;
 }
 
+template <Op op, class T>
+typename Simd<T>::V unaryFunction(typename Simd<T>::V a) {
+  return apply<op, T>(a, a, a);
+}
+template <Op op, class T>
+typename Simd<T>::V binaryFunction(typename Simd<T>::V a, typename Simd<T>::V b) {
+  return apply<op, T>(a, b, a);
+}
+
+/// The table that VectorFunction (Kernels.h) describes.
+template <class T>
+struct FunctionTable {
+  using V = typename Simd<T>::V;
+  V (*unary[static_cast<unsigned>(Op::Count)])(V);
+  V (*binary[static_cast<unsigned>(Op::Count)])(V, V);
+};
+
+template <Op op, class T>
+constexpr void addUnary(FunctionTable<T>& t) {
+  t.unary[static_cast<unsigned>(op)] = unaryFunction<op, T>;
+}
+template <Op op, class T>
+constexpr void addBinary(FunctionTable<T>& t) {
+  t.binary[static_cast<unsigned>(op)] = binaryFunction<op, T>;
+}
+
+template <class T>
+constexpr FunctionTable<T> makeFunctions() {
+  FunctionTable<T> t{};
+  addUnary<Op::Exp>(t), addUnary<Op::Expm1>(t), addUnary<Op::Log>(t), addUnary<Op::Log1p>(t);
+  addUnary<Op::Sin>(t), addUnary<Op::Cos>(t), addUnary<Op::Tan>(t), addUnary<Op::Asin>(t);
+  addUnary<Op::Acos>(t), addUnary<Op::Atan>(t), addUnary<Op::Sinh>(t), addUnary<Op::Cosh>(t);
+  addUnary<Op::Tanh>(t), addUnary<Op::Erf>(t), addUnary<Op::Erfc>(t), addUnary<Op::Lgamma>(t);
+  addUnary<Op::Digamma>(t), addUnary<Op::Floor>(t), addBinary<Op::Pow>(t), addBinary<Op::Atan2>(t);
+  return t;
+}
+
 constexpr KernelTable<float> kFloats = makeTable<float>();
 constexpr KernelTable<double> kDoubles = makeTable<double>();
 

@@ -2,11 +2,14 @@
 #include <brdf/base/Text.h>
 #include <brdf/formula/Kernels.h>
 #include <brdf/formula/Loops.h>
+#include <brdf/formula/NativeCode.h>
 #include <brdf/formula/Program.h>
 #include <brdf/formula/Table.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstring>
+#include <mutex>
 
 namespace brdf::formula {
 namespace {
@@ -15,8 +18,9 @@ std::vector<const KernelSet*> availableSets() {
   std::vector<const KernelSet*> sets;
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-    sets.push_back(&kKernelsAvx512);
-  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) sets.push_back(&kKernelsAvx2);
+    sets.insert(sets.end(), {&kKernelsAvx512, &kKernelsAvx512Alone});
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    sets.insert(sets.end(), {&kKernelsAvx2, &kKernelsAvx2Alone});
   sets.push_back(&kKernelsSse2);
 #endif
   sets.push_back(&kKernelsGeneric);
@@ -53,8 +57,8 @@ class FlushTinyFloats {
 #endif
 };
 
-/// Scratch memory of the calling thread, aligned to 64 bytes, kept between runs.
-template <class T>
+/// Scratch memory of the calling thread, aligned to 64 bytes, kept between runs; one for each purpose.
+template <class T, int purpose>
 T* scratch(std::size_t count) {
   thread_local std::vector<T> storage;
   const std::size_t padding = 64 / sizeof(T);
@@ -83,6 +87,94 @@ void setInstructionSet(std::string_view name) {
               {"unknown or unavailable", "instruction set", "'" + std::string(name) + "'", joined(instructionSets())});
 }
 
+struct Program::Natives {
+  template <class T>
+  struct Slot {
+    const KernelSet* set = nullptr;
+    std::unique_ptr<const NativeCode<T>> code;
+  };
+  std::mutex mutex;
+  std::vector<std::unique_ptr<Slot<float>>> floats;
+  std::vector<std::unique_ptr<Slot<double>>> doubles;
+  std::atomic<const Slot<float>*> currentFloat = nullptr;
+  std::atomic<const Slot<double>*> currentDouble = nullptr;
+};
+
+std::shared_ptr<Program::Natives> Program::makeNatives() { return std::make_shared<Natives>(); }
+
+template <class T>
+const NativeCode<T>* Program::native() const {
+  using Slot = Natives::Slot<T>;
+  const auto pick = [](auto& forFloat, auto& forDouble) -> auto& {
+    if constexpr (sizeof(T) == sizeof(float))
+      return forFloat;
+    else
+      return forDouble;
+  };
+  auto& current = pick(natives_->currentFloat, natives_->currentDouble);
+  const KernelSet* set = currentSet();
+  if (const Slot* slot = current.load(std::memory_order_acquire); slot && slot->set == set) return slot->code.get();
+  const std::lock_guard lock(natives_->mutex);
+  auto& slots = pick(natives_->floats, natives_->doubles);
+  for (const auto& slot : slots)
+    if (slot->set == set) {
+      current.store(slot.get(), std::memory_order_release);
+      return slot->code.get();
+    }
+  slots.push_back(std::make_unique<Slot>(Slot{set, NativeCode<T>::make(*this, *set)}));
+  current.store(slots.back().get(), std::memory_order_release);
+  return slots.back()->code.get();
+}
+
+template <class T>
+const T* Program::uniformValues(std::span<const double> parameters) const {
+  T* uniforms = scratch<T, 1>(uniforms_.size() + kNativeConstants);
+  double* exact = nullptr;
+  if constexpr (sizeof(T) == sizeof(double))
+    exact = uniforms;
+  else
+    exact = scratch<double, 2>(uniforms_.size());
+  for (std::size_t k = 0; k < uniforms_.size(); ++k) {
+    const UniformStep& step = uniforms_[k];
+    if (step.op == Op::Constant)
+      exact[k] = step.value;
+    else if (step.op == Op::Parameter)
+      exact[k] = parameters[step.operands[0]];
+    else if (step.op >= Op::Table && step.op <= Op::TableDy)
+      exact[k] = tables_[step.operands[2]]->at(partOf(step.op), exact[step.operands[0]], exact[step.operands[1]]);
+    else
+      exact[k] = applyOp(step.op, exact[step.operands[0]], exact[step.operands[1]], exact[step.operands[2]]);
+  }
+  if constexpr (sizeof(T) != sizeof(double))
+    for (std::size_t k = 0; k < uniforms_.size(); ++k) uniforms[k] = static_cast<T>(exact[k]);
+  writeNativeConstants(uniforms + uniforms_.size());
+  return uniforms;
+}
+
+template <class T>
+void Program::runNative(const NativeCode<T>& code, const T* const* inputs, const T* uniforms, T* const* outputs,
+                        std::size_t count) const {
+  constexpr std::size_t inputCount = static_cast<std::size_t>(Input::Count);
+  const std::size_t width = code.width(), whole = count / width * width, rest = count - whole;
+  if (whole > 0) code.run(inputs, outputs, uniforms, whole);
+  if (rest == 0) return;
+  // The rest, padded by repeating the last lane.
+  T* padded = scratch<T, 0>((inputCount + outputCount_) * width);
+  const T* in[inputCount] = {};
+  for (std::size_t k = 0; k < inputCount; ++k) {
+    if (!reads_[k]) continue;
+    T* lanes = padded + k * width;
+    std::copy_n(inputs[k] + whole, rest, lanes);
+    std::fill(lanes + rest, lanes + width, lanes[rest - 1]);
+    in[k] = lanes;
+  }
+  thread_local std::vector<T*> out;
+  out.resize(outputCount_);
+  for (std::size_t k = 0; k < outputCount_; ++k) out[k] = padded + (inputCount + k) * width;
+  code.run(in, out.data(), uniforms, width);
+  for (std::size_t k = 0; k < outputCount_; ++k) std::copy_n(out[k], rest, outputs[k] + whole);
+}
+
 template <class T>
 void Program::runBlocks(const T* const* inputs, std::span<const double> parameters, T* const* outputs,
                         std::size_t count) const {
@@ -90,31 +182,13 @@ void Program::runBlocks(const T* const* inputs, std::span<const double> paramete
   constexpr std::size_t inputCount = static_cast<std::size_t>(Input::Count);
   if (count == 0) return;
 
-  // Scratch: registers, padded inputs and outputs for the last block, uniforms.
-  T* registers = scratch<T>((registerCount_ + inputCount + outputCount_) * lanes + uniforms_.size());
+  const T* uniforms = uniformValues<T>(parameters);
+  if (const NativeCode<T>* code = native<T>()) return runNative(*code, inputs, uniforms, outputs, count);
+
+  // Scratch: registers, padded inputs and outputs for the last block.
+  T* registers = scratch<T, 0>((registerCount_ + inputCount + outputCount_) * lanes);
   T* paddedInputs = registers + registerCount_ * lanes;
   T* paddedOutputs = paddedInputs + inputCount * lanes;
-  T* uniforms = paddedOutputs + outputCount_ * lanes;
-  {
-    double* exact = nullptr;
-    if constexpr (sizeof(T) == sizeof(double))
-      exact = uniforms;
-    else
-      exact = scratch<double>(uniforms_.size());
-    for (std::size_t k = 0; k < uniforms_.size(); ++k) {
-      const UniformStep& step = uniforms_[k];
-      if (step.op == Op::Constant)
-        exact[k] = step.value;
-      else if (step.op == Op::Parameter)
-        exact[k] = parameters[step.operands[0]];
-      else if (step.op >= Op::Table && step.op <= Op::TableDy)
-        exact[k] = tables_[step.operands[2]]->at(partOf(step.op), exact[step.operands[0]], exact[step.operands[1]]);
-      else
-        exact[k] = applyOp(step.op, exact[step.operands[0]], exact[step.operands[1]], exact[step.operands[2]]);
-    }
-    if constexpr (sizeof(T) != sizeof(double))
-      for (std::size_t k = 0; k < uniforms_.size(); ++k) uniforms[k] = static_cast<T>(exact[k]);
-  }
 
   // Instructions with their pointers. Those into arrays move on by a block after each block; registers and uniforms
   // stay.

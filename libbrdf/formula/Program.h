@@ -3,11 +3,15 @@
 #include <brdf/formula/Graph.h>
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 namespace brdf::formula {
+
+template <class T>
+class NativeCode;
 
 /// A graph compiled for batches: instructions over blocks of lanes, registers reused as soon as they are free, inputs
 /// read where they lie. What depends on parameters alone is computed once a run, in double. Immutable; one Program may
@@ -29,10 +33,14 @@ class BRDF_EXPORT Program {
   std::size_t outputCount() const { return outputCount_; }
   std::size_t instructionCount() const { return instructions_.size(); }
   std::size_t registerCount() const { return registerCount_; }
+  /// Whether every lane goes the same way: no loops, no tables.
+  bool straight() const { return loops_.empty() && tables_.empty(); }
   bool reads(Input input) const { return reads_[static_cast<std::size_t>(input)]; }
 
  private:
   friend class ProgramCompiler;
+  template <class T>
+  friend class NativeEmitter;
 
   enum class Place : std::uint8_t { Register, Input, Output, Uniform };
   struct Operand {
@@ -66,6 +74,19 @@ class BRDF_EXPORT Program {
   void runBlocks(const T* const* inputs, std::span<const double> parameters, T* const* outputs,
                  std::size_t count) const;
 
+  /// Machine code for the type and the instruction set in use, made at its first use; null where there is none.
+  template <class T>
+  const NativeCode<T>* native() const;
+  /// The uniforms for these parameters, and behind them what machine code expects, in the calling thread's memory.
+  template <class T>
+  const T* uniformValues(std::span<const double> parameters) const;
+  template <class T>
+  void runNative(const NativeCode<T>& code, const T* const* inputs, const T* uniforms, T* const* outputs,
+                 std::size_t count) const;
+
+  struct Natives;
+  static std::shared_ptr<Natives> makeNatives();
+  std::shared_ptr<Natives> natives_ = makeNatives();
   std::vector<UniformStep> uniforms_;
   std::vector<Instruction> instructions_;
   std::vector<Loop> loops_;
@@ -75,7 +96,9 @@ class BRDF_EXPORT Program {
   bool reads_[static_cast<std::size_t>(Input::Count)] = {};
 };
 
-/// Names of the instruction sets this machine can run, best first: "avx512", "avx2", "sse2", "generic".
+/// Names of the instruction sets this machine can run, best first: "avx512", "avx512_kernels", "avx2", "avx2_kernels",
+/// "sse2", "generic". The first and third make machine code of a program at its first use (formula/NativeCode.h); all
+/// run loops and tables, and the others everything, operation by operation over blocks.
 BRDF_EXPORT std::vector<std::string_view> instructionSets();
 /// The one in use; the best by default. Setting an unknown or unavailable one throws Error::Kind::Value. For tests and
 /// measurements: not to be changed while programs run.
