@@ -216,6 +216,7 @@ TEST(Library, FunctionsAreDescribedAndUsable) {
     formula::Graph graph;
     formula::ParseOptions options;
     options.functions = &functionTable();
+    options.tables = &tableMap();
     std::string call = entry.function.name + "(";
     for (std::size_t k = 0; k < entry.function.arguments.size(); ++k) call += k == 0 ? "0.5" : ", 0.5";
     EXPECT_NO_THROW(formula::parse(graph, call + ")", options)) << entry.function.name;
