@@ -2,6 +2,7 @@
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 #include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/Lint.h>
 
 #include <algorithm>
 #include <fstream>
@@ -181,6 +182,8 @@ ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& op
   }
   result.report.format = name;
   result.report.source = path.string();
+  if (result.brdf)
+    for (const LintFinding& finding : lint(*result.brdf)) result.report.warnings.push_back(finding.sentence());
   return result;
 }
 

@@ -80,7 +80,7 @@ BRDF_EXPORT const Format& findFormat(std::string_view name);
 
 /// Reads a measured file of any registered format, recognised by content. Throws Error::Kind::Format when no format
 /// recognises it, and Error::Kind::Value for an option that the format does not take. A folder is read when a format of
-/// one file an incidence recognises every file in it (hidden ones left out).
+/// one file an incidence recognises every file in it (hidden ones left out). What lint() finds is among the warnings.
 BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`. A
