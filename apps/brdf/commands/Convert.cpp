@@ -4,10 +4,15 @@
 #include "FitReportJson.h"
 #include "Output.h"
 
+#include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/Fit.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/io/SaveMaterial.h>
+#include <brdf/material/ChannelView.h>
+#include <brdf/material/FillHoles.h>
+#include <brdf/material/RegionErrors.h>
+#include <brdf/material/Resample.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -17,22 +22,76 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::size_t kPairsInARegion = 2048;
+
 struct Values {
-  std::string in, out, format;
+  std::string in, out, format, fill = "none", grid;
 };
+
+/// Fills holes as --fill says; what was done becomes an assumption of the material.
+std::string fillAsAsked(LoadedMaterial& material, const std::string& option) {
+  if (option == "none") return {};
+  constexpr std::string_view prefix = "model:";
+  const bool model = option.starts_with(prefix);
+  const FillMethod method = fillMethod(model ? "model" : option);
+  if (method == FillMethod::Model && !model)
+    throw Error(Error::Kind::Usage, {"no model given", "--fill", option, "model:MATERIAL"});
+  const BrdfPointer source = model ? loadMaterial(option.substr(prefix.size()), assumptions()).brdf : nullptr;
+  FilledBrdf filled = fillHoles(material.brdf, method, source.get());
+  material.brdf = filled.brdf;
+  const std::string text = "holes: " + std::to_string(filled.filled) + " cells filled by " + option +
+                           " and marked extrapolated, " + std::to_string(filled.remaining) + " left invalid";
+  material.report.assumptions.push_back(text);
+  return text;
+}
+
+/// The original in the channels of what was written, or null when they cannot be compared.
+BrdfPointer inChannelsOf(const Brdf& written, const BrdfPointer& original) {
+  if (written.channels() == original->channels()) return original;
+  if (written.channels().kind == Channels::Kind::Rgb) return asRgb(original);
+  if (written.channels().kind == Channels::Kind::Monochrome) return asLuminance(original);
+  return nullptr;
+}
+
+std::string regionTable(const std::vector<RegionError>& errors, Json& json) {
+  TextTable table({"directions", "mean error", "largest", "mean / mean value", "pairs lost"});
+  json = Json::array();
+  for (const RegionError& error : errors) {
+    table.row({error.region, number(error.mean), number(error.largest), number(error.relativeMean),
+               std::to_string(error.lost) + " of " + std::to_string(error.pairs + error.lost)});
+    json.push_back({{"region", error.region},
+                    {"mean", error.mean},
+                    {"largest", error.largest},
+                    {"relative_mean", error.relativeMean},
+                    {"pairs", error.pairs},
+                    {"lost", error.lost}});
+  }
+  return table.text();
+}
 
 void run(const Output& output, const Values& values) {
   if (std::filesystem::path(values.out).has_filename()) checkWritable(values.out);  // else a folder of files
-  const LoadedMaterial loaded = loadMaterial(values.in, assumptions());
+  LoadedMaterial loaded = loadMaterial(values.in, assumptions());
+  const std::string filled = fillAsAsked(loaded, values.fill);
+  const BrdfPointer original = loaded.brdf;
+  std::vector<std::string> losses;
+  if (!values.grid.empty()) {
+    Resampled resampled = resample(*original, parseGridLayout(values.grid, *original));
+    loaded.brdf = std::move(resampled.brdf);
+    losses = std::move(resampled.losses);
+  }
   const WriteReport written = saveMaterial(loaded, values.out, values.format, "convert");
+  losses.insert(losses.end(), written.losses.begin(), written.losses.end());
 
   const LoadedMaterial again = loadMaterial(values.out);
   Json report = {{"in", values.in}, {"out", values.out}};
   report["format"] = again.kind == "container" ? "vtkhdf" : again.report.format;
   report["samples"] = again.report.samples;
-  report["losses"] = written.losses;
+  report["losses"] = losses;
+  report["filled"] = filled;
   std::string text = values.out + ": " + report["format"].get<std::string>();
-  for (const std::string& loss : written.losses) text += "\n  lost: " + loss;
+  if (!filled.empty()) text += "\n  " + filled;
+  for (const std::string& loss : losses) text += "\n  lost: " + loss;
   if (again.brdf->channels() == loaded.brdf->channels()) {
     const Comparison difference = compare(*again.brdf, *loaded.brdf);
     report["round_trip"] = {{"metrics", difference.metrics},
@@ -43,7 +102,14 @@ void run(const Output& output, const Values& values) {
             metricTable(difference.metrics, difference.zeroModel);
   } else {
     report["round_trip"] = Json();
-    text += "\n  the channels differ, so the round trip is not compared";
+    text += "\n  the channels differ, so the round trip is not compared sample by sample";
+  }
+  // Values in 1/sr at the same directions for every conversion, whatever the samples of either side are.
+  if (const BrdfPointer seen = inChannelsOf(*again.brdf, original)) {
+    Json regions;
+    const std::string table = regionTable(regionErrors(*again.brdf, *seen, kPairsInARegion), regions);
+    text += "\n\nRead back, against the original by region of directions (1/sr):\n" + table;
+    report["regions"] = regions;
   }
   output.line(text);
   output.report(report);
@@ -61,6 +127,12 @@ Command convertCommand() {
             arguments.positional("OUT", values->out, "The file to write; it is replaced when complete");
             arguments.option("--format", values->format, "NAME",
                              "Format of OUT, else by its extension: " + joined(materialFormats()));
+            arguments.option("--fill", values->fill, "METHOD",
+                             "Fill invalid cells and mark them extrapolated: none, reciprocity, symmetry, nearest, or "
+                             "model:MATERIAL [none]");
+            arguments.option("--grid", values->grid, "LAYOUT",
+                             "Resample first: merl, or spherical, half_difference or specular with a step in degrees "
+                             "as in spherical:5");
           },
           [values](const Output& output) { run(output, *values); }};
 }
