@@ -2,6 +2,7 @@
 #include "Renderer.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/base/File.h>
 #include <brdf/material/ScatteredBrdf.h>
 
 #include <algorithm>
@@ -71,6 +72,12 @@ TEST(Export, ReducesASpectrumToColour) {
   EXPECT_LT(result.error.comparison.metrics.at("rms"), 1e-12);
   EXPECT_TRUE(
       std::ranges::any_of(result.notes, [](const std::string& n) { return n.find("sRGB") != std::string::npos; }));
+}
+
+TEST(Export, TheDocumentationNamesEveryExporter) {
+  const std::string page = readFile(std::filesystem::path(BRDF_SOURCE_DIR) / "docs/exports.md");
+  for (const Exporter& exporter : allExporters())
+    EXPECT_NE(page.find("| `" + exporter.name + "` |"), std::string::npos) << exporter.name;
 }
 
 TEST(Export, RefusesNamesThatAreNone) {
