@@ -56,10 +56,7 @@ WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::
     writeFile(path, writeBrdfLabXml(file));
     return {};
   }
-  WriteReport report = writeMeasured(*material.brdf, path, format);
-  if (!material.components.empty())
-    report.losses.push_back("components other than the front reflection: only a container keeps them");
-  return report;
+  return writeMeasured(*material.brdf, material.components, path, format);
 }
 
 }  // namespace brdf

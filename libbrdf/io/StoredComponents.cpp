@@ -27,6 +27,8 @@ void storeList(const h5::Group& group, const char* name, const std::vector<doubl
   group.writeArray(name, values.data(), Sizes{values.size()});
 }
 
+constexpr const char* kNoFront = "NoFrontReflection";  ///< a group whose presence says so
+
 /// Calls body(group) for each of parent/name/0, 1, ...
 template <class Body>
 void forEach(const h5::Group& parent, const char* name, const Body& body) {
@@ -42,6 +44,7 @@ void storeComponents(const h5::Group& entry, const Components& components) {
   const h5::Group home = entry.createGroup("Components");
   const h5::Group scatter = home.createGroup("Scatter"), specular = home.createGroup("Specular"),
                   totals = home.createGroup("Totals");
+  if (!components.front) home.createGroup(kNoFront);
   for (std::size_t i = 0; i < components.scatter.size(); ++i) {
     const h5::Group part = scatter.createGroup(std::to_string(i));
     part.setText("Component", componentName(components.scatter[i].kind));
@@ -67,6 +70,7 @@ Components restoreComponents(const h5::Group& entry) {
   Components components;
   if (!entry.hasObject("Components")) return components;
   const h5::Group home = entry.group("Components");
+  components.front = !home.hasObject(kNoFront);
   const auto kindOf = [](const h5::Group& part) { return restoreChoice<ComponentKind>(part, "Component", kKinds); };
   forEach(home, "Scatter", [&](const h5::Group& part) {
     components.scatter.push_back({kindOf(part), restoreBrdf(part, part.text("Kind"), part.text("Description"))});

@@ -54,6 +54,9 @@ struct TotalScatter {
 /// What a measured material has beside its front reflection. Nothing renders or draws these yet; they are read, kept,
 /// listed and stored.
 struct Components {
+  /// Whether the material has a front reflection. Where it has none, the Brdf that stands for it is its first
+  /// component, or one that is valid nowhere.
+  bool front = true;
   std::vector<ScatterComponent> scatter;
   std::vector<SpecularComponent> specular;
   std::vector<TotalScatter> totals;

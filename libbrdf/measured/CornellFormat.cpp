@@ -7,6 +7,7 @@
 #include <brdf/measured/BuiltInFormats.h>
 #include <brdf/measured/SampleRows.h>
 #include <brdf/measured/ScatteredText.h>
+#include <brdf/measured/TokenReader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,13 @@ namespace {
 constexpr double kMostWavelengths = 10000;
 
 /// The wavelengths, or an Error that says what is wrong.
-std::vector<double> readWavelengths(NumberReader& numbers) {
-  const double count = numbers.next("the number of wavelengths");
+std::vector<double> readWavelengths(TokenReader& numbers) {
+  const double count = numbers.number("the number of wavelengths");
   if (!(count >= 1 && count <= kMostWavelengths && count == std::floor(count)))
     numbers.fail("wrong number of wavelengths", formatNumber(count), "a whole number from 1 to 10000");
   std::vector<double> wavelengths;
   while (wavelengths.size() < static_cast<std::size_t>(count)) {
-    const double wavelength = numbers.next("a wavelength");
+    const double wavelength = numbers.number("a wavelength");
     if (!(wavelength >= 10 && wavelength <= 1e6) || (!wavelengths.empty() && wavelength <= wavelengths.back()))
       numbers.fail("wrong wavelength", formatNumber(wavelength) + " nm", "ascending, 10 to 1000000 nm");
     wavelengths.push_back(wavelength);
@@ -36,7 +37,7 @@ int recognise(std::string_view head, std::uint64_t size) {
   if (head.find('\0') != std::string_view::npos) return 0;
   // A number cut by the end of the head is no evidence.
   if (head.size() < size) head = head.substr(0, head.find_last_of(" \t\r\n") + 1);
-  NumberReader numbers(head, {});
+  TokenReader numbers(head, {}, '#');
   if (!numbers.more()) return 0;
   try {
     readWavelengths(numbers);
@@ -47,7 +48,7 @@ int recognise(std::string_view head, std::uint64_t size) {
 }
 
 ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
-  NumberReader numbers(withoutByteOrderMark(bytes), path);
+  TokenReader numbers(bytes, path, '#');
   ReadReport report;
   const bool inDegrees = choose(options, AngleUnit::Radians, "the format's definition", report) == AngleUnit::Degrees;
   const Channels channels = Channels::spectral(readWavelengths(numbers));
@@ -58,12 +59,12 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   while (numbers.more()) {
     double angle[4];
     for (double& value : angle) {
-      value = numbers.next("an angle");
+      value = numbers.number("an angle");
       if (!std::isfinite(value)) numbers.fail("an angle is not finite", formatNumber(value), "a number");
       if (inDegrees) value = radians(value);
       largestAngle = std::max(largestAngle, std::abs(value));
     }
-    for (double& value : values) value = numbers.next("a BRDF value");
+    for (double& value : values) value = numbers.number("a BRDF value");
     rows.add({fromSpherical(angle[0], angle[1]), fromSpherical(angle[2], angle[3])}, values);
   }
   if (rows.empty()) numbers.fail("the file holds no sample", {}, {});

@@ -2,6 +2,7 @@
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 #include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/GridWriting.h>
 #include <brdf/measured/Lint.h>
 
 #include <algorithm>
@@ -32,6 +33,11 @@ std::vector<Format>& registry() {
       brdfLabExportFormat(),
       rglFormat(),
       kaistFormat(),
+      integraFormat(),
+      integraSpecularFormat(),
+      lightToolsFormat(),
+      zemaxFormat(),
+      ssddFormat(),
   };
   // clang-format on
   return formats;
@@ -188,6 +194,11 @@ ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& op
 }
 
 WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format) {
+  return writeMeasured(brdf, {}, path, format);
+}
+
+WriteReport writeMeasured(const Brdf& brdf, const Components& components, const std::filesystem::path& path,
+                          std::string_view format) {
   const Format* chosen = nullptr;
   std::vector<std::string> extensions;
   if (!format.empty()) {
@@ -204,11 +215,19 @@ WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, s
   }
   if (!chosen->write)
     throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen->name, joined(extensions)});
-  if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path)))
-    return writeFolder(*chosen, brdf, path);
-  AtomicFile file(path);
-  WriteReport report = chosen->write(brdf, file.temporaryPath());
-  file.commit();
+  const bool whole = chosen->writeMaterial != nullptr;
+  WriteReport report;
+  if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path))) {
+    report = writeFolder(*chosen, brdf, path);
+  } else {
+    AtomicFile file(path);
+    report = whole ? chosen->writeMaterial(components.front ? &brdf : nullptr, components, file.temporaryPath())
+                   : chosen->write(brdf, file.temporaryPath());
+    file.commit();
+  }
+  if (!whole) reportUnkept(components, {}, false, false, chosen->name, report);
+  if (!whole && !components.front)
+    report.losses.push_back("the material has no front reflection: what is written is what stands for it");
   return report;
 }
 

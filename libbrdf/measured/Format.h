@@ -69,6 +69,10 @@ struct Format {
                            const ReadOptions& options)>
       readFolder{};
   std::function<WriteReport(const Brdf& brdf, const std::filesystem::path& folder)> writeFolder{};
+  /// Writes what a material has besides its front reflection, too; `front` is null where it has none. Null for formats
+  /// of one distribution.
+  std::function<WriteReport(const Brdf* front, const Components& components, const std::filesystem::path& path)>
+      writeMaterial{};
 };
 
 /// All formats; ours first, then those registered from outside.
@@ -86,6 +90,9 @@ BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const Rea
 /// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`. A
 /// format of one file an incidence writes a folder when `path` is an empty one or ends with '/'.
 BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path,
+                                      std::string_view format = {});
+/// The same with the components that came with `brdf` (ReadResult); what the format does not take is a loss.
+BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const Components& components, const std::filesystem::path& path,
                                       std::string_view format = {});
 
 }  // namespace brdf

@@ -22,6 +22,16 @@ bool LineReader::next(std::string_view& line) {
   return false;
 }
 
+std::string_view LineReader::bytes(std::size_t count, const char* what) {
+  if (count > text_.size())
+    fail(std::string("the file is too short for ") + what, std::to_string(text_.size()) + " bytes follow",
+         std::to_string(count));
+  const std::string_view result = text_.substr(0, count);
+  line_ += static_cast<std::size_t>(std::count(result.begin(), result.end(), '\n'));
+  text_.remove_prefix(count);
+  return result;
+}
+
 double LineReader::number(std::string_view text, const char* what) const {
   const auto value = parseNumber(text);
   if (!value)

@@ -15,6 +15,8 @@ class LineReader {
   bool next(std::string_view& line);
   /// What follows the line read last, untouched.
   std::string_view rest() const { return text_; }
+  /// Takes the next `count` bytes, whatever they are; fails where fewer follow. `what` names them.
+  std::string_view bytes(std::size_t count, const char* what);
 
   /// The text as a number of the line read last; throws Error::Kind::Format when it is none. `what` names it.
   double number(std::string_view text, const char* what) const;

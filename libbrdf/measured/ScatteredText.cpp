@@ -12,8 +12,6 @@
 namespace brdf {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n\v\f";
-
 /// Polar angles 0 to 85 degrees and azimuth differences, both every 5 degrees; azimuths of the light every 30 degrees
 /// when the BRDF is anisotropic.
 DirectionPairBuffer<double> grid(Symmetry symmetry) {
@@ -37,38 +35,6 @@ DirectionPairBuffer<double> grid(Symmetry symmetry) {
 std::string_view withoutByteOrderMark(std::string_view text) {
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   return text;
-}
-
-bool NumberReader::more() {
-  while (position_ < text_.size()) {
-    const char c = text_[position_];
-    if (c == '#') {
-      position_ = std::min(text_.find('\n', position_), text_.size());
-    } else if (kBlanks.find(c) != std::string_view::npos) {
-      line_ += c == '\n';
-      ++position_;
-    } else {
-      return true;
-    }
-  }
-  return false;
-}
-
-double NumberReader::next(const char* what) {
-  if (!more()) fail(std::string("the file ends where ") + what + " should be", {}, {});
-  std::size_t end = position_;
-  while (end < text_.size() && text_[end] != '#' && kBlanks.find(text_[end]) == std::string_view::npos) ++end;
-  const std::string_view token = text_.substr(position_, end - position_);
-  const auto value = parseNumber(token);
-  if (!value)
-    fail(std::string("no number where ") + what + " should be", "\"" + std::string(token.substr(0, 40)) + "\"", {});
-  position_ = end;
-  return *value;
-}
-
-void NumberReader::fail(std::string what, std::string found, std::string allowed) const {
-  throw Error(Error::Kind::Format, {std::move(what), path_.string() + ", line " + std::to_string(line_),
-                                    std::move(found), std::move(allowed)});
 }
 
 const std::vector<std::string>& scatteredOptions() {

@@ -13,25 +13,6 @@ namespace brdf {
 /// `text` without a UTF-8 byte order mark.
 std::string_view withoutByteOrderMark(std::string_view text);
 
-/// The numbers of a text: separated by blanks, '#' starts a comment that ends with the line.
-class NumberReader {
- public:
-  NumberReader(std::string_view text, std::filesystem::path path) : text_(text), path_(std::move(path)) {}
-
-  /// False at the end of the text.
-  bool more();
-  /// The next number. Throws Error::Kind::Format at the end of the text, and when what stands there is no number.
-  double next(const char* what);
-  std::size_t line() const { return line_; }
-  [[noreturn]] void fail(std::string what, std::string found, std::string allowed) const;
-
- private:
-  std::string_view text_;
-  std::filesystem::path path_;
-  std::size_t position_ = 0;
-  std::size_t line_ = 1;
-};
-
 /// Keys of the read options that finishScattered honours; a format adds its own ("angles").
 const std::vector<std::string>& scatteredOptions();
 

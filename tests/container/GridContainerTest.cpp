@@ -155,13 +155,15 @@ TEST(GridContainer, ABigTableIsReadInPartsWithoutReadingAllOfIt) {
 
 TEST(GridContainer, ComponentsComeBack) {
   const fs::path path = freshFolder("components") / "a.vtkhdf";
-  const brdf::Components written = someComponents();
+  brdf::Components written = someComponents();
+  written.front = false;
   brdf::ContainerWriter writer(path);
   writer.add("plain", *samples::scattered(), {});
   writer.add("sheet", *samples::scattered(), {}, written);
   writer.commit();
   EXPECT_TRUE(Container(path).components(0).empty());
   const brdf::Components read = brdf::loadMaterial(path.string() + "#sheet").components;
+  EXPECT_FALSE(read.front);
   ASSERT_EQ(read.scatter.size(), 2u);
   EXPECT_EQ(read.scatter[0].kind, ComponentKind::FrontTransmission);
   EXPECT_TRUE(sameGrid(*read.scatter[0].brdf, *written.scatter[0].brdf));
