@@ -53,6 +53,8 @@ struct CheckOptions {
 /// - derivative: difference from a 50-digit central difference, as a share of what is allowed there;
 /// - reciprocity: relative change when light and viewer change places;
 /// - turning: relative change when both directions are turned about the normal (isotropic models only);
+/// - normalisation: how far the integral of a microfacet distribution D(h) cos(theta_h) is from 1, over the hard bounds
+///   too; for models whose equation assigns D (models/FormulaModel.h);
 /// - energy: largest directional albedo (white furnace);
 /// - sampler_directions: draws that are no direction above the horizon or have no density; none allowed;
 /// - sampler: surprise of the chi-square test, -log10 of its probability;

@@ -1,3 +1,4 @@
+#include <brdf/check/Normalisation.h>
 #include <brdf/check/ValueChecks.h>
 #include <brdf/sampling/SampledBrdf.h>
 
@@ -43,16 +44,21 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
   const Declaration notReciprocal{"reciprocity", kAnything, "not reciprocal"};
   const Declaration anisotropic{"turning", kAnything, "anisotropic"};
   Tally reciprocity("reciprocity", 1e-12, model.reciprocal() ? nullptr : &notReciprocal);
+  Tally normalisation("normalisation", 1e-6, model.declared("normalisation"));
   Tally turning("turning", 1e-9, model.isotropic() ? nullptr : &anisotropic);
   AccuracyTallies accuracy(model);
   const auto softCount =
       static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [](const auto& one) { return one.soft; }));
   SamplerTallies sampler(softCount, model.declared("energy"));
 
+  const auto* const formula = dynamic_cast<const FormulaModel*>(&model);
   std::size_t softSeen = 0, hardSeen = 0;
   for (const ParameterCase& one : cases) {
     const std::string label = parameterText(model, one.values) + " (" + one.name + ")";
     const auto lobe = std::make_shared<const OneLobe>(model, one.values);
+    for (std::size_t k = 0; formula && k < formula->distributions().size(); ++k)
+      normalisation.offer(std::fabs(distributionIntegral(*formula, k, one.values) - 1),
+                          [&] { return formula->distributions()[k] + " of " + label; });
     tallyExtremes(*lobe, extremes, label, finite, negative);
     // At the hard bounds a few cases suffice against 50 digits, which are slow.
     if (one.soft ? !costly || softSeen < 3 : hardSeen++ < (costly ? 1 : 5))
@@ -67,6 +73,7 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
   for (const Tally* tally : {&finite, &negative, &accuracy.wide, &accuracy.narrow, &accuracy.conditioning, &derivative,
                              &reciprocity, &turning})
     checks.push_back(tally->result());
+  if (formula && !formula->distributions().empty()) checks.push_back(normalisation.result());
   sampler.into(checks);
   return checks;
 }

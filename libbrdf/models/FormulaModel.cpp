@@ -25,7 +25,8 @@ struct FormulaModel::Compiled {
   NodeId value = 0, density = 0;
   std::vector<NodeId> draw;
   std::vector<NodeId> derivatives;  // of the value, one a parameter
-  std::vector<std::string> functionsUsed;
+  std::vector<std::string> functionsUsed, distributions;
+  std::vector<std::unique_ptr<const Program>> distributionPrograms;
   std::unique_ptr<const Program> valueProgram, densityProgram, drawProgram;
 
   std::mutex mutex;  // guards the map; programs themselves are immutable
@@ -133,7 +134,8 @@ NodeId FormulaModel::buildValue(Graph& graph, std::span<const double> parameters
 class FormulaModel::SamplerGraph {
  public:
   /// `options`: how the model's own formulas are parsed; `where`: the file.
-  SamplerGraph(Graph& graph, const std::string& where, const std::vector<SamplerPart>& parts, formula::ParseOptions options)
+  SamplerGraph(Graph& graph, const std::string& where, const std::vector<SamplerPart>& parts,
+               formula::ParseOptions options)
       : graph_(graph) {
     NodeId rest = graph.constant(1);
     for (std::size_t k = parts.size(); k-- > 0;) {  // the first part last: it gets what the others leave
@@ -217,6 +219,11 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     options.parameters = names;
     formula::ParseResult equation = formula::parse(graph, equation_, options);
     made->functionsUsed = std::move(equation.functionsUsed);
+    for (const auto& [variable, node] : equation.variables)
+      if (variable == "D" || variable.starts_with("D_")) {
+        made->distributions.push_back(variable);
+        made->distributionPrograms.push_back(std::make_unique<const Program>(graph, std::vector<NodeId>{node}));
+      }
     made->value = finished(graph, equation.value);
     options.bindings.clear();
     options.functions = &functionTable();
@@ -288,6 +295,14 @@ std::string FormulaModel::glsl() const {
   return function("float brdf_" + name_ + "(vec3 wi, vec3 wo", {c.value}, "") +
          function("float brdf_" + name_ + "_pdf(vec3 wi, vec3 wo", {c.density}, "") +
          function("vec3 brdf_" + name_ + "_sample(vec3 wo, vec2 u", c.draw, "vec3");
+}
+
+const std::vector<std::string>& FormulaModel::distributions() const { return compiled().distributions; }
+
+void FormulaModel::evaluateDistribution(std::size_t which, const std::array<const double*, 3>& h,
+                                        std::span<const double> parameters, double* out, std::size_t count) const {
+  const DirectionPairs<double> pairs{h, h, count};
+  compiled().distributionPrograms.at(which)->run(inputsOf(pairs).data(), parameters, &out, count);
 }
 
 const Graph& FormulaModel::graph() const { return compiled().graph; }

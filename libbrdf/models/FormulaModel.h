@@ -17,7 +17,9 @@ namespace brdf {
 ///          [dialect="BRDFLab082"]>
 ///     <description/>
 ///     <parameter name="" default="" min="" max="" [label symbol unit softMin softMax scale="linear|log" follows]/>...
-///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test
+///     <equation/>                              formula language (formula/Parser.h); f_r in 1/sr, no horizon test. What
+///                                              it assigns to D, or to a name that begins with "D_", is a microfacet
+///                                              distribution (1/sr), and audited as such (check/Normalisation.h)
 ///     <sampler name="" arguments="expr, ..." [share="expr"] [cosine="expr"]/>...   of models/samplers, arguments in
 ///                                              the model's parameters and wo. `share`: of draws, in [0, 1), for each
 ///                                              sampler but the first, which gets the rest; cosine="expr" is short for
@@ -62,6 +64,12 @@ class BRDF_EXPORT FormulaModel final : public Model {
   };
   /// At least one; "Cosine" alone where the record names none.
   const std::vector<SamplerPart>& samplerParts() const { return parts_; }
+  /// Names of the microfacet distributions that the equation assigns.
+  const std::vector<std::string>& distributions() const;
+  /// The distribution distributions()[which] (1/sr) at `count` unit half vectors `h`, which light and viewer coincide
+  /// with.
+  void evaluateDistribution(std::size_t which, const std::array<const double*, 3>& h,
+                            std::span<const double> parameters, double* out, std::size_t count) const;
   bool clamped() const { return clamp_; }  ///< whether negative values are replaced by 0
   /// Names of the library's functions (models/Library.h) that the equation calls, in order of first use.
   const std::vector<std::string>& functionsUsed() const;

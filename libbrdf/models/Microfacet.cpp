@@ -51,7 +51,7 @@ std::string compose(const std::string& name, const pugi::xml_node& d, const pugi
   const std::string call = g.attribute("call").value();
   const bool ofDistribution = call == "smith" || call == "separable";
   const std::string visibility = ofDistribution ? d.attribute(call.c_str()).value() : call;
-  const std::string equation = std::string("(") + d.attribute("call").value() + ") * (" + visibility + ") * (" +
+  const std::string equation = std::string("D = ") + d.attribute("call").value() + "; D * (" + visibility + ") * (" +
                                f.attribute("call").value() + ")";
   model.append_child("equation").text() = equation.c_str();
   pugi::xml_node sampler = model.append_child("sampler");

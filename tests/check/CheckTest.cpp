@@ -1,5 +1,6 @@
 // Every check can fail: a model broken in one way is caught by the check of that name and by no other.
 #include <brdf/check/Check.h>
+#include <brdf/check/Normalisation.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/models/FormulaModel.h>
@@ -170,6 +171,30 @@ TEST(CheckModel, KeepsAModelToWhatItDeclaresInsteadOfTheLaw) {
   EXPECT_TRUE(audit.passed());
   EXPECT_TRUE(find(audit, "energy").declared);
   EXPECT_EQ(find(audit, "energy").note, "bright");
+}
+
+TEST(CheckModel, CatchesADistributionThatIsNotNormalised) {
+  const auto power = [](const char* factor, const char* more = "") {
+    return record("n = 2 * exp(12 * a); D = " + std::string(factor) +
+                      " / (2 * pi) * exp(-0.5 * n * log1p(tan2_h)); D * 0.1 * exp(-12 * a)",
+                  "",
+                  std::string(more) + "<sampler name='HalfCosinePower' arguments='2 * exp(12 * a), 2 * exp(12 * a)'/>");
+  };
+  // The integral of (n + 2)/(2 pi) cos^(n + 1) is 1; the common (n + 8)/8 is not (n + 2)/2.
+  EXPECT_EQ(failures(power("(n + 2)")), Names{});
+  EXPECT_EQ(failures(power("(n + 8) / 4")), Names{"normalisation"});
+  EXPECT_EQ(failures(power("(n + 8) / 4", "<declares check='normalisation'>as its author has it</declares>")), Names{});
+}
+
+TEST(Normalisation, IntegratesPeaksOfAnyWidthAndStretchToTheClosedForm) {
+  const FormulaModel beckmann(
+      "<model name='Probe' title='A probe' isotropic='no'><parameter name='x' default='1' min='1e-5' max='10'/>"
+      "<parameter name='y' default='1' min='1e-5' max='10'/><equation>D = exp(-(sqr(Hx / x) + sqr(Hy / y)) / "
+      "sqr(Hz)) / sqr(cos2_h)</equation></model>",
+      "test");
+  for (const double x : {1e-5, 1e-4, 0.3, 10.0})
+    for (const double y : {1e-5, 0.02, 10.0})
+      EXPECT_NEAR(distributionIntegral(beckmann, 0, std::array{x, y}) / (kPi * x * y), 1, 1e-9) << x << " " << y;
 }
 
 TEST(CheckModel, CatchesALossOfDigits) {

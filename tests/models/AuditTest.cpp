@@ -2,8 +2,11 @@
 // leaves out: the horizon, derivatives at the hard bounds, the mirror image, the ends of the random numbers.
 #include <brdf/check/Cases.h>
 #include <brdf/check/Check.h>
+#include <brdf/models/FormulaModel.h>
+#include <brdf/models/Microfacet.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "ModelNames.h"
@@ -42,6 +45,14 @@ TEST_P(EveryModel, PassesItsAudit) {
       EXPECT_GT(check.worst, 1e-6) << "declared not reciprocal, but it is";
     }
   }
+}
+
+TEST_P(EveryModel, ShowsTheAuditItsMicrofacetDistributions) {
+  const auto& record = dynamic_cast<const FormulaModel&>(*model_);
+  for (const std::string& function : record.functionsUsed())
+    if (function.starts_with("D_")) {
+      EXPECT_FALSE(record.distributions().empty()) << "calls " << function << " without assigning D";
+    }
 }
 
 TEST_P(EveryModel, IsZeroBelowAndOnTheHorizon) {
@@ -120,6 +131,16 @@ TEST_P(EveryModel, DrawsWhereverItReflects) {
         ASSERT_GT(density[k], 0) << where() << values[k];
       }
     }
+  }
+}
+
+TEST(Microfacet, EveryComposedDistributionIsNormalised) {
+  for (const std::string& distribution : microfacetTerms().distributions) {
+    const Audit audit = checkModel(*composeMicrofacet(distribution, "Constant", "None"), {.effort = 0.1});
+    const auto found = std::find_if(audit.checks.begin(), audit.checks.end(),
+                                    [](const Check& check) { return check.name == "normalisation"; });
+    ASSERT_NE(found, audit.checks.end()) << distribution;
+    EXPECT_TRUE(found->passed) << distribution << " " << found->worst << " " << found->at;
   }
 }
 

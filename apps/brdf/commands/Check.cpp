@@ -11,6 +11,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/check/Check.h>
 #include <brdf/io/LoadMaterial.h>
+#include <brdf/models/Microfacet.h>
 #include <brdf/models/Registry.h>
 
 #include <algorithm>
@@ -80,6 +81,14 @@ class Shaders {
   std::string reason_;
 };
 
+/// Every registered model, and a composed one of each distribution.
+std::vector<ModelPointer> modelsToCheck() {
+  std::vector<ModelPointer> models = allModels();
+  for (const std::string& distribution : microfacetTerms().distributions)
+    models.push_back(composeMicrofacet(distribution, "Schlick", "Smith"));
+  return models;
+}
+
 Audit audit(const Subject& subject, const CheckOptions& options) {
   return subject.model ? checkModel(*subject.model, options) : checkMaterial(subject.material, subject.name, options);
 }
@@ -126,7 +135,7 @@ void run(const Output& output, const Values& values) {
   std::vector<Subject> subjects;
   for (const std::string& text : values.materials) subjects.push_back(subjectOf(text));
   if (values.all)
-    for (const ModelPointer& model : allModels()) subjects.push_back({model->name(), model, nullptr});
+    for (const ModelPointer& model : modelsToCheck()) subjects.push_back({model->name(), model, nullptr});
 
   Progress progress(output, "check");
   std::vector<std::optional<Audit>> done(subjects.size());
@@ -175,7 +184,7 @@ Command checkCommand() {
             arguments.positionals("MATERIAL", values->materials,
                                   "A model by its name or its file, a file of data, an expression or preset:NAME");
             arguments.optional();
-            arguments.flag("--all", values->all, "Every model");
+            arguments.flag("--all", values->all, "Every model, and Microfacet of each distribution");
             arguments.flag("--no-glsl", values->noGlsl, "Leave out the comparison of GLSL with the processor");
             arguments.option("--effort", values->options.effort, {0.1, 1000}, "FACTOR",
                              "Times as many directions, parameters and draws");

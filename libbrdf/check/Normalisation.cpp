@@ -1,0 +1,51 @@
+// The integral of a microfacet distribution.
+#include <brdf/check/Normalisation.h>
+
+#include <brdf/geometry/Directions.h>
+
+#include <cmath>
+#include <vector>
+
+namespace brdf {
+namespace {
+
+// The ranges of log tan: 1e-13 of a peak of width 1e-6, and of a tail of tan^-1, lie outside.
+constexpr double kLow = -30, kHigh = 30, kStep = 0.125;
+constexpr auto kSteps = static_cast<std::size_t>((kHigh - kLow) / kStep);
+
+double logarithm(std::size_t k) { return kLow + (static_cast<double>(k) + 0.5) * kStep; }
+
+}  // namespace
+
+double distributionIntegral(const FormulaModel& model, std::size_t which, std::span<const double> parameters) {
+  // d theta cos sin = t^2/(1 + t^2)^2 d log t for t = tan theta, and d phi = T/(1 + T^2) d log T for T = tan phi.
+  const std::size_t turns = model.isotropic() ? 1 : 4 * kSteps;
+  std::vector<double> h[3], weights, values;
+  for (auto& axis : h) axis.resize(turns);
+  weights.resize(turns);
+  values.resize(turns);
+  double sum = 0;
+  for (std::size_t k = 0; k < kSteps; ++k) {
+    const double t = std::exp(logarithm(k)), cosine = 1 / std::sqrt(1 + t * t), sine = t * cosine;
+    for (std::size_t j = 0; j < turns; ++j) {
+      double c = 1, s = 0, arc = 2 * kPi;
+      if (turns > 1) {
+        const double T = std::exp(logarithm(j / 4));
+        c = 1 / std::sqrt(1 + T * T);
+        s = T * c;
+        arc = s * c * kStep;
+        if (j % 4 > 1) c = -c;
+        if (j % 2 > 0) s = -s;
+      }
+      h[0][j] = sine * c;
+      h[1][j] = sine * s;
+      h[2][j] = cosine;
+      weights[j] = sine * sine * cosine * cosine * kStep * arc;
+    }
+    model.evaluateDistribution(which, {h[0].data(), h[1].data(), h[2].data()}, parameters, values.data(), turns);
+    for (std::size_t j = 0; j < turns; ++j) sum += weights[j] * values[j];
+  }
+  return sum;
+}
+
+}  // namespace brdf
