@@ -65,11 +65,25 @@ struct RenderResult {
   double mean = 0;  ///< radiance averaged over pixels and channels
 };
 
+/// One material's directional albedo over the angle of the light.
+struct AlbedoCurves {
+  std::vector<std::string> channels;        ///< names
+  std::vector<double> degrees;              ///< of the light
+  std::vector<std::vector<double>> values;  ///< by channel, one an angle
+};
+struct AuditPicture {
+  std::vector<Audit> audits;
+  AlbedoCurves albedo;  ///< of the only material; empty for several
+  PictureSize size;
+  std::string out;  ///< .png
+};
+
 /// What the module offers; found there under the name `brdfPictures`.
 struct PictureFunctions {
   void (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
   RenderResult (*render)(const RenderPicture&);
+  void (*audit)(const AuditPicture&);
   /// Throws Error::Kind::Device when there is no headless OpenGL. The runner is for one thread at a time.
   GlslRunner (*shaderProbe)();
 };

@@ -9,8 +9,9 @@
 namespace brdf {
 namespace {
 
-// The ranges of log tan: 1e-13 of a peak of width 1e-6, and of a tail of tan^-1, lie outside.
-constexpr double kLow = -30, kHigh = 30, kStep = 0.125;
+// The range of log tan: 1e-11 of a lobe stretched by 1e6 lies outside. The step: analytic within pi/4 of the real axis,
+// as exp(-tan^2) is, the rule errs by exp(-2 pi (pi/4)/step), 2e-11.
+constexpr double kLow = -40, kHigh = 40, kStep = 0.2;
 constexpr auto kSteps = static_cast<std::size_t>((kHigh - kLow) / kStep);
 
 double logarithm(std::size_t k) { return kLow + (static_cast<double>(k) + 0.5) * kStep; }

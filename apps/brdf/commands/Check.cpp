@@ -11,10 +11,14 @@
 #include <brdf/base/Text.h>
 #include <brdf/check/Check.h>
 #include <brdf/io/LoadMaterial.h>
+#include <brdf/material/LobeSum.h>
 #include <brdf/models/Microfacet.h>
 #include <brdf/models/Registry.h>
+#include <brdf/sampling/DirectionalAlbedo.h>
+#include <brdf/sampling/SampledBrdf.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -30,6 +34,7 @@ using Json = nlohmann::ordered_json;
 struct Values {
   std::vector<std::string> materials;
   bool all = false, noGlsl = false;
+  std::string size, out;
   CheckOptions options;
 };
 
@@ -126,7 +131,47 @@ Json reportOf(const std::vector<Audit>& audits) {
   return {{"models", models}};
 }
 
+std::string channelName(const Channels& channels, std::size_t index) {
+  if (channels.kind == Channels::Kind::Spectral) return number(channels.wavelengths[index]) + " nm";
+  return channels.kind == Channels::Kind::Rgb ? std::array{"red", "green", "blue"}[index] : "all light";
+}
+
+/// The directional albedo at every third degree, at most three channels of it across the spectrum.
+AlbedoCurves albedoOf(const Subject& subject) {
+  BrdfPointer brdf = subject.material;
+  if (subject.model) {
+    Lobe lobe{subject.model, {}, {1.0}};
+    for (const double value : subject.model->defaults()) lobe.parameters.push_back({value});
+    brdf = std::make_shared<LobeSum>(std::vector{lobe}, Channels::monochrome());
+  }
+  const BrdfPointer sampled = withSampler(brdf);
+  const std::size_t count = brdf->channels().count(), step = count <= 3 ? 1 : (count - 1) / 2;
+  AlbedoCurves curves;
+  for (std::size_t c = 0; c < count; c += step) {
+    curves.channels.push_back(channelName(brdf->channels(), c));
+    curves.values.emplace_back();
+  }
+  for (double degrees = 0; degrees < 90; degrees += degrees < 84 ? 3 : 1) {
+    curves.degrees.push_back(degrees);
+    const Albedo albedo = directionalAlbedo(*sampled, radians(degrees), 4096);
+    for (std::size_t k = 0; k < curves.values.size(); ++k) curves.values[k].push_back(albedo.value[k * step]);
+  }
+  return curves;
+}
+
+void draw(const std::vector<Audit>& audits, const Subject& first, const Values& values) {
+  AuditPicture picture{audits, {}, {}, values.out};
+  if (audits.size() == 1) picture.albedo = albedoOf(first);
+  // A matrix needs room for its rows.
+  picture.size = !values.size.empty() ? sizeOption(values.size)
+                 : audits.size() == 1 ? PictureSize{1000, 1000}
+                                      : PictureSize{1400, std::min<std::size_t>(8192, 300 + 24 * audits.size())};
+  pictures().audit(picture);
+}
+
 void run(const Output& output, const Values& values) {
+  if (!values.out.empty()) checkPictureOutputs({values.out}, {".png"});
+
   if (values.all != values.materials.empty())
     throw Error(Error::Kind::Usage,
                 {"nothing to check, or too much", "brdf check",
@@ -165,6 +210,7 @@ void run(const Output& output, const Values& values) {
   }
   print(output, audits);
   output.report(reportOf(audits));
+  if (!values.out.empty() && !audits.empty()) draw(audits, subjects.front(), values);
   if (failed > 0)
     throw Error(Error::Kind::Value,
                 {"checks failed", "brdf check", std::to_string(failed) + " of " + std::to_string(checks), "none"});
@@ -186,6 +232,9 @@ Command checkCommand() {
             arguments.optional();
             arguments.flag("--all", values->all, "Every model, and Microfacet of each distribution");
             arguments.flag("--no-glsl", values->noGlsl, "Leave out the comparison of GLSL with the processor");
+            arguments.option("--out", values->out, "FILE",
+                             "x.png: models by checks; for one, its checks and its directional albedo");
+            arguments.option("--size", values->size, "WxH", "Pixels of the picture [room for every row]");
             arguments.option("--effort", values->options.effort, {0.1, 1000}, "FACTOR",
                              "Times as many directions, parameters and draws");
           },

@@ -17,6 +17,7 @@ namespace brdf::app {
 void drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
 RenderResult drawRender(const RenderPicture& request);
+void drawAudit(const AuditPicture& request);
 GlslRunner shaderProbe();
 
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
