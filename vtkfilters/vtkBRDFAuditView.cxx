@@ -69,7 +69,7 @@ double Number(vtkTable* table, vtkIdType row, const char* column)
 
 std::string Limit(double value)
 {
-  return std::isinf(value) ? "any" : NumberText(value, 2);
+  return std::isinf(value) ? "any" : NumberText(value, 4);
 }
 
 /** Channels named after a colour have it. */
@@ -95,6 +95,30 @@ std::vector<std::string> Distinct(vtkTable* table, const char* column)
     }
   }
   return values;
+}
+
+/** The checks in the order of the model that has most of them, then the others. */
+std::vector<std::string> ChecksInOrder(vtkTable* table)
+{
+  std::map<std::string, std::vector<std::string>> ofModel;
+  std::vector<std::string> checks;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    std::vector<std::string>& own = ofModel[Text(table, row, "model")];
+    own.push_back(Text(table, row, "check"));
+    if (own.size() > checks.size())
+    {
+      checks = own;
+    }
+  }
+  for (const std::string& check : Distinct(table, "check"))
+  {
+    if (std::find(checks.begin(), checks.end(), check) == checks.end())
+    {
+      checks.push_back(check);
+    }
+  }
+  return checks;
 }
 
 void CheckColumns(vtkTable* table, std::initializer_list<const char*> names)
@@ -134,7 +158,7 @@ vtkTable* vtkBRDFAuditView::GetAlbedo()
 void vtkBRDFAuditView::AddMatrix(const Frame& frame)
 {
   vtkTable* table = this->Checks;
-  const std::vector<std::string> models = Distinct(table, "model"), checks = Distinct(table, "check");
+  const std::vector<std::string> models = Distinct(table, "model"), checks = ChecksInOrder(table);
   std::map<std::string, std::size_t> modelOf, checkOf;
   for (std::size_t k = 0; k < models.size(); ++k)
   {
@@ -162,7 +186,7 @@ void vtkBRDFAuditView::AddMatrix(const Frame& frame)
       allowed[column].push_back(Number(table, row, "allowed"));
     }
     AddText(this->GetRenderer(),
-            state == "skipped" ? "-" : NumberText(Number(table, row, "worst"), 2),
+            state == "skipped" ? "-" : NumberText(Number(table, row, "worst"), 3),
             { (x(column) + x(column + 1)) / 2, (y(line) + y(line + 1)) / 2 },
             { .Size = small,
               .Horizontal = Align::Center,

@@ -50,6 +50,7 @@ struct CheckOptions {
 /// - double_accuracy, float_accuracy: relative error against 50-digit arithmetic from the same rounded inputs, as a
 ///   share of what is allowed there (1e-12 and 1e-5, more where an exponential loses digits);
 /// - conditioning: relative change of the exact value when the directions are rounded to float: nothing is demanded;
+/// - parameter_conditioning: the same for the parameters, inside the soft bounds;
 /// - derivative: difference from a 50-digit central difference, as a share of what is allowed there;
 /// - reciprocity: relative change when light and viewer change places;
 /// - turning: relative change when both directions are turned about the normal (isotropic models only);

@@ -42,10 +42,9 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
 
   Tally finite("finite", 0), negative("non_negative", 0), derivative("derivative", 1);
   const Declaration notReciprocal{"reciprocity", kAnything, "not reciprocal"};
-  const Declaration anisotropic{"turning", kAnything, "anisotropic"};
   Tally reciprocity("reciprocity", 1e-12, model.reciprocal() ? nullptr : &notReciprocal);
   Tally normalisation("normalisation", 1e-6, model.declared("normalisation"));
-  Tally turning("turning", 1e-9, model.isotropic() ? nullptr : &anisotropic);
+  Tally turning("turning", model.isotropic() ? 1e-9 : kAnything, model.isotropic() ? "" : "anisotropic");
   AccuracyTallies accuracy(model);
   const auto softCount =
       static_cast<std::size_t>(std::count_if(cases.begin(), cases.end(), [](const auto& one) { return one.soft; }));
@@ -70,8 +69,8 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
     tallySampler(model.namesSampler() ? *lobe : *withSampler(lobe), *lobe, label, options, sampler);
   }
   std::vector<Check> checks;
-  for (const Tally* tally : {&finite, &negative, &accuracy.wide, &accuracy.narrow, &accuracy.conditioning, &derivative,
-                             &reciprocity, &turning})
+  for (const Tally* tally : {&finite, &negative, &accuracy.wide, &accuracy.narrow, &accuracy.conditioning,
+                             &accuracy.parameters, &derivative, &reciprocity, &turning})
     checks.push_back(tally->result());
   if (formula && !formula->distributions().empty()) checks.push_back(normalisation.result());
   sampler.into(checks);

@@ -82,7 +82,9 @@ AccuracyTallies::AccuracyTallies(const Model& model)
       wide(shareTally(model, "double_accuracy")),
       narrow(shareTally(model, "float_accuracy")),
       conditioning("conditioning", kAnything,
-                   "a property of the formula: what rounding the directions to float changes") {}
+                   "a property of the formula: what rounding the directions to float changes"),
+      parameters("parameter_conditioning", kAnything,
+                 "a property of the formula: what rounding the parameters to float changes") {}
 
 void tallyAgainstExtended(const Model& model, const ParameterCase& parameters, const CheckPairs& pairs,
                           const CheckPairs& aboveHorizon, const std::string& label, AccuracyTallies& tallies) {
@@ -99,11 +101,18 @@ void tallyAgainstExtended(const Model& model, const ParameterCase& parameters, c
   if (parameters.soft)
     tallyAccuracy(atRounded, floats, rounded, label, tallies.allowedNarrow, tallies.crossesZero, tallies.narrow);
 
+  std::vector<double> roundedParameters;
+  for (const double value : parameters.values) roundedParameters.push_back(static_cast<float>(value));
   for (std::size_t k = 0; k < aboveHorizon.size(); ++k) {
-    const double here = exactValue(model, aboveHorizon.wi(k), aboveHorizon.wo(k), parameters.values);
-    if (!std::isfinite(here) || !(std::fabs(here) > 1e-30) || !std::isfinite(atRounded[k])) continue;
-    tallies.conditioning.offer(std::fabs(atRounded[k] - here) / std::fabs(here),
-                               [&] { return label + " " + directionText(aboveHorizon.wi(k), aboveHorizon.wo(k)); });
+    const Direction wi = aboveHorizon.wi(k), wo = aboveHorizon.wo(k);
+    const double here = exactValue(model, wi, wo, parameters.values);
+    if (!std::isfinite(here) || !(std::fabs(here) > 1e-30)) continue;
+    const auto offer = [&](double there, Tally& tally) {
+      if (std::isfinite(there))
+        tally.offer(std::fabs(there - here) / std::fabs(here), [&] { return label + " " + directionText(wi, wo); });
+    };
+    offer(atRounded[k], tallies.conditioning);
+    if (parameters.soft) offer(exactValue(model, wi, wo, roundedParameters), tallies.parameters);
   }
 }
 

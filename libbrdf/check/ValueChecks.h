@@ -10,7 +10,7 @@ struct AccuracyTallies {
 
   double allowedWide, allowedNarrow;  ///< relative errors
   bool crossesZero;                   ///< see models/Declaration.h
-  Tally wide, narrow, conditioning;
+  Tally wide, narrow, conditioning, parameters;
 };
 
 /// `pairs` for double; `aboveHorizon` for float (at soft parameters) and conditioning.

@@ -106,9 +106,9 @@ TEST(CheckModel, PassesARightModelAndNamesEveryCheckOnce) {
     EXPECT_TRUE(check.passed) << check.name << " " << check.worst << " " << check.at;
     EXPECT_TRUE(names.insert(check.name).second) << check.name;
   }
-  EXPECT_EQ(names,
-            (Names{"finite", "non_negative", "double_accuracy", "float_accuracy", "conditioning", "derivative",
-                   "reciprocity", "turning", "energy", "sampler_directions", "sampler", "pdf_integral", "efficiency"}));
+  EXPECT_EQ(names, (Names{"finite", "non_negative", "double_accuracy", "float_accuracy", "conditioning",
+                          "parameter_conditioning", "derivative", "reciprocity", "turning", "energy",
+                          "sampler_directions", "sampler", "pdf_integral", "efficiency"}));
   EXPECT_NEAR(find(audit, "energy").worst, 0.9, 1e-3) << "the albedo of a Lambertian is its factor";
 }
 

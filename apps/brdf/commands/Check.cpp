@@ -10,6 +10,7 @@
 #include <brdf/base/Parallel.h>
 #include <brdf/base/Text.h>
 #include <brdf/check/Check.h>
+#include <brdf/geometry/Directions.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/models/Microfacet.h>

@@ -41,12 +41,15 @@ void drawAudit(const AuditPicture& request) {
   view->SetChecks(checks);
   if (!request.albedo.degrees.empty()) {
     vtkNew<vtkTable> albedo;
-    const auto theta = column<vtkDoubleArray>(albedo, "theta");
-    for (const double degrees : request.albedo.degrees) theta->InsertNextValue(degrees);
-    for (std::size_t c = 0; c < request.albedo.channels.size(); ++c) {
-      const auto values = column<vtkDoubleArray>(albedo, request.albedo.channels[c]);
-      for (const double value : request.albedo.values[c]) values->InsertNextValue(value);
-    }
+    const auto add = [&](const std::string& name, const std::vector<double>& values) {
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name.c_str());
+      for (const double value : values) array->InsertNextValue(value);
+      albedo->AddColumn(array);
+    };
+    add("theta", request.albedo.degrees);
+    for (std::size_t c = 0; c < request.albedo.channels.size(); ++c)
+      add(request.albedo.channels[c], request.albedo.values[c]);
     view->SetAlbedo(albedo);
   }
   writeView(view, request.size, request.out);
