@@ -237,7 +237,7 @@ void vtkBRDFAuditView::AddList(const Frame& frame)
   const int size = std::max(6, static_cast<int>(0.62 * height));
   const double em = size;
   const double columns[] = {
-    frame.Low[0] + 1.2 * em, frame.Low[0] + 16 * em, frame.Low[0] + 22 * em, frame.Low[0] + 28 * em
+    frame.Low[0] + 1.2 * em, frame.Low[0] + 20 * em, frame.Low[0] + 26 * em, frame.Low[0] + 32 * em
   };
   const auto line = [&](vtkIdType row) { return frame.High[1] - height * (static_cast<double>(row) + 0.5); };
   const char* const heads[] = { "check", "worst", "allowed", "where" };
