@@ -15,7 +15,7 @@ namespace {
 TEST(ChecksPage, HasARowForEveryCheckOfAModelWithItsBound) {
   const FormulaModel model(
       "<model name='Probe' title='A probe'><parameter name='a' default='0.5' min='0' max='1'/>"
-      "<equation>a / pi</equation></model>",
+      "<equation>D = 1 / pi; a * D</equation></model>",  // a distribution, so that it is audited too
       "test");
   CheckOptions quick;
   quick.effort = 0.1;
