@@ -81,15 +81,25 @@ void readHeaderLine(const LineReader& lines, std::string_view line, Header& head
 
 /// The channels that all files of a folder share, and what was met.
 struct Collected {
-  std::optional<SampleRows> rows;
+  std::vector<SampleRows> rows;  ///< by ComponentKind; empty until the channels are known
   Channels channels;
   std::vector<std::size_t> columns;
   std::vector<double> wavelengths;  ///< in the order of the file's columns
   bool xyz = false;
   std::optional<Quantity> quantity;
   std::size_t unstated = 0;  ///< files without #format
-  std::size_t otherSide = 0, back = 0;
 };
+
+/// The kind of a pair of directions of which either may lie below the surface, and the pair in that kind's frame
+/// (material/Components.h).
+ComponentKind placed(DirectionPair& pair) {
+  const bool back = pair.wi[2] < 0, through = back != (pair.wo[2] < 0);
+  if (back)  // the sheet is turned over about +x
+    for (Direction* w : {&pair.wi, &pair.wo}) *w = {(*w)[0], -(*w)[1], -(*w)[2]};
+  if (through) pair.wo[2] = -pair.wo[2];
+  if (through) return back ? ComponentKind::BackTransmission : ComponentKind::FrontTransmission;
+  return back ? ComponentKind::BackReflection : ComponentKind::FrontReflection;
+}
 
 void startRows(const LineReader& lines, const Header& header, Collected& all) {
   std::size_t count = header.xyz ? 3 : 1;
@@ -103,12 +113,12 @@ void startRows(const LineReader& lines, const Header& header, Collected& all) {
   const std::vector<double> wavelengths(
       header.wavelengths.begin(),
       header.wavelengths.begin() + static_cast<std::ptrdiff_t>(header.spectral ? count : 0));
-  if (all.rows) {
+  if (!all.rows.empty()) {
     if (all.xyz != header.xyz || all.wavelengths != wavelengths)
       lines.fail("the files of the folder have different channels", {}, "the same in all");
     return;
   }
-  all.rows.emplace(count);
+  all.rows.assign(4, SampleRows(count));
   all.xyz = header.xyz;
   all.wavelengths = wavelengths;
   all.columns.resize(count);
@@ -159,14 +169,9 @@ void readFile(const NamedBytes& file, double toRadians, Collected& all, ReadRepo
       if (!std::isfinite(angle[i])) lines.fail("an angle is not finite", formatNumber(angle[i]), "a number");
     }
     for (std::size_t c = 0; c < values.size(); ++c) values[c] = lines.number(items[2 + all.columns[c]], "a value");
-    Direction wi = light, view = fromSpherical(angle[0], angle[1]);
-    if (wi[2] < 0) {  // lit from the back: seen from there
-      wi[2] = -wi[2];
-      view[2] = -view[2];
-      ++all.back;
-    }
-    all.otherSide += view[2] < 0;
-    all.rows->add({wi, view}, values);
+    DirectionPair pair{light, fromSpherical(angle[0], angle[1])};
+    const ComponentKind kind = placed(pair);
+    all.rows[static_cast<std::size_t>(kind)].add(pair, values);
     ++count;
   }
   if (count == 0) lines.fail("the file holds no sample", {}, {});
@@ -182,20 +187,32 @@ ReadResult readAll(std::span<const NamedBytes> files, const std::filesystem::pat
       choose(options, AngleUnit::Degrees, "the format's definition", report) == AngleUnit::Degrees ? radians(1) : 1;
   Collected all;
   for (const NamedBytes& file : files) readFile(file, toRadians, all, report);
-  if (!all.rows) throw Error(Error::Kind::Format, {"the folder holds no file", path.string(), {}, {}});
+  if (all.rows.empty()) throw Error(Error::Kind::Format, {"the folder holds no file", path.string(), {}, {}});
   report.metadata["incidences"] = std::to_string(files.size());
   if (all.unstated > 0 && !options.quantity)
     report.warnings.push_back("no #format: values are taken for f_r (option quantity=brdf_cos when they are DSF)");
-  if (all.back > 0) report.assumptions.push_back("lit from the back (theta > 90): mirrored to the front");
-  if (all.otherSide > 0)
-    report.warnings.push_back(std::to_string(all.otherSide) +
-                              " samples are transmission (theta on the other side): kept as invalid, not shown");
-  ScatteredSamples samples = all.rows->samples(all.channels, true);
-  samples.isotropic = oneIncidentAzimuth(samples);
-  const std::string_view azimuths = azimuthEvidence(samples.isotropic);
-  toLinearSrgb(samples, options, all.xyz ? ColourSpace::Xyz : ColourSpace::LinearSrgb, "#colorimetry", report);
-  return finishScattered(std::move(samples), path, std::move(report), options, *all.quantity,
-                         all.unstated > 0 ? "the file does not say" : "#format", azimuths);
+  // The front reflection, or else the first side that has samples, is the BRDF; the others are components.
+  ReadResult result;
+  for (const ComponentKind kind : {ComponentKind::FrontReflection, ComponentKind::BackReflection,
+                                   ComponentKind::FrontTransmission, ComponentKind::BackTransmission}) {
+    const SampleRows& rows = all.rows[static_cast<std::size_t>(kind)];
+    if (rows.empty()) continue;
+    ScatteredSamples samples = rows.samples(all.channels, true);
+    samples.isotropic = oneIncidentAzimuth(samples);
+    const std::string_view azimuths = azimuthEvidence(samples.isotropic);
+    ReadReport own = result.brdf ? ReadReport{} : report;
+    toLinearSrgb(samples, options, all.xyz ? ColourSpace::Xyz : ColourSpace::LinearSrgb, "#colorimetry", own);
+    ReadResult side = finishScattered(std::move(samples), path, std::move(own), options, *all.quantity,
+                                      all.unstated > 0 ? "the file does not say" : "#format", azimuths);
+    if (result.brdf) {
+      result.components.scatter.push_back({kind, side.brdf});
+    } else {
+      result = std::move(side);
+      if (kind != ComponentKind::FrontReflection)
+        result.report.warnings.push_back("no front reflection: this is the " + std::string(componentName(kind)));
+    }
+  }
+  return result;
 }
 
 ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {

@@ -2,6 +2,8 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/geometry/Directions.h>
+#include <brdf/io/BrdfLabXml.h>
+#include <brdf/io/MaterialXml.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/measured/Format.h>
@@ -44,6 +46,16 @@ std::vector<FuzzTarget> fuzzTargets() {
                          });
                        }});
   }
+  targets.push_back({"material-xml", [](std::string_view bytes) {
+                       swallowErrors([&] { use(*brdf::readMaterialXml(bytes, "fuzz")); });
+                     }});
+  targets.push_back({"brdflab-xml", [](std::string_view bytes) {
+                       swallowErrors([&] {
+                         const brdf::BrdfLabFile file = brdf::readBrdfLabXml(bytes, "fuzz");
+                         if (file.analytic) use(*file.analytic);
+                         for (const auto& fitting : file.fittings) use(*fitting.material);
+                       });
+                     }});
   targets.push_back({"expression", [](std::string_view bytes) {
                        swallowErrors([&] { use(*brdf::parseMaterialExpression(bytes)); });
                      }});

@@ -86,17 +86,34 @@ TEST(Astm, ReadsColoursAndTellsDegreesFromRadians) {
   EXPECT_TRUE(mentions(spectral.report.assumptions, "angles: degrees (polar angles up to 45)"));
 }
 
-TEST(Pab, DsfIsDividedAndTheOtherSideIsInvalid) {
+TEST(Pab, DsfIsDividedAndTheOtherSideIsAComponent) {
   const auto result = readData("pab_dsf.txt");
   const auto& data = dataOf(result);
-  EXPECT_EQ(result.report.samples, 3u);
-  EXPECT_EQ(result.report.invalid, 1u);
+  EXPECT_EQ(result.report.samples, 2u);
   EXPECT_EQ(result.report.metadata.at("sample"), "white by hand");
   expectPair(data, 0, {-kThree, 0, 0.5}, {0, 0, 1});
   expectPair(data, 1, {-kThree, 0, 0.5}, {kThree, 0, 0.5});
   EXPECT_NEAR(data.values[0], 0.5, 1e-15);
   EXPECT_NEAR(data.values[1], 1.0, 1e-15);
-  EXPECT_TRUE(mentions(result.report.warnings, "transmission"));
+  // 0.75 at theta = 120 degrees leaves at 60 degrees from the back's normal: 0.75/cos(60).
+  ASSERT_EQ(result.components.scatter.size(), 1u);
+  EXPECT_EQ(result.components.scatter[0].kind, brdf::ComponentKind::FrontTransmission);
+  const auto& through = dynamic_cast<const brdf::ScatteredBrdf&>(*result.components.scatter[0].brdf).data();
+  expectPair(through, 0, {-kThree, 0, 0.5}, {kThree, 0, 0.5});
+  EXPECT_NEAR(through.values[0], 1.5, 1e-14);
+}
+
+TEST(Pab, LitFromTheBackTheSheetIsTurnedOver) {
+  const auto dir = measuredtest::folder("pab_back");
+  brdf::writeFile(dir / "a.pab", "#intheta 120\n#inphi 90\n#format: theta phi BTDF\n150 90 2\n30 90 4\n");
+  const auto result = brdf::readMeasured(dir / "a.pab");
+  expectPair(dataOf(result), 0, {0, -kThree, 0.5}, {0, -0.5, kThree});
+  EXPECT_TRUE(mentions(result.report.warnings, "back reflection"));
+  ASSERT_EQ(result.components.scatter.size(), 1u);
+  EXPECT_EQ(result.components.scatter[0].kind, brdf::ComponentKind::BackTransmission);
+  const auto& through = dynamic_cast<const brdf::ScatteredBrdf&>(*result.components.scatter[0].brdf).data();
+  expectPair(through, 0, {0, -kThree, 0.5}, {0, -0.5, kThree});
+  EXPECT_EQ(through.values[0], 4);
 }
 
 TEST(Pab, AFolderIsOneBrdfOfSeveralIncidences) {
