@@ -104,7 +104,8 @@ int recogniseExr(std::string_view head, std::uint64_t) {
   std::int32_t box[4];
   if (at == head.npos || head.size() < at + window.size() + sizeof box) return 0;
   std::memcpy(box, head.data() + at + window.size(), sizeof box);
-  return box[2] - box[0] == 287 && box[3] - box[1] == 287 ? 70 : 0;
+  const auto span = [&](int from, int to) { return std::int64_t{box[to]} - box[from]; };
+  return span(0, 2) == 287 && span(1, 3) == 287 ? 70 : 0;
 }
 
 ReadResult readExr(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
