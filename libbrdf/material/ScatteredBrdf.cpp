@@ -11,6 +11,7 @@ namespace brdf {
 namespace {
 
 constexpr double kHalfOffset = 0.1;  ///< of sin theta_h, under the root: limits the stretch at the mirror direction
+constexpr double kSwapScale = 0.25;  ///< of s.d: how far apart a pair and its swap are
 constexpr double kRidge = 1e-3;      ///< of the trace: keeps the slope finite where neighbours lie in a plane
 constexpr double kOvershoot = 0.5;   ///< of the neighbours' range, in asinh: how far the linear fit may leave it
 constexpr double kTinyDistance = 1e-9;
@@ -25,7 +26,7 @@ Eigen::Matrix<double, Dimensions, 1> coordinates(const DirectionPairs<double>& p
   const double sinThetaH = s / std::hypot(s, sz);
   const double stretched = std::sqrt(sinThetaH + kHalfOffset);
   if constexpr (Dimensions == 3) {
-    return {stretched, std::hypot(dx, dy), sx * dx + sy * dy};
+    return {stretched, std::hypot(dx, dy), kSwapScale * (sx * dx + sy * dy)};
   } else {
     const double radius = s > 0 ? (stretched - std::sqrt(kHalfOffset)) / s : 0;
     return {radius * sx, radius * sy, dx, dy};
@@ -114,13 +115,14 @@ class ScatteredBrdf::TreeInterpolator : public ScatteredBrdf::Interpolator {
         high = std::max(high, value);
       }
       const double margin = kOvershoot * (high - low);
-      values[channel * pairs.count + i] = unit_ * std::sinh(std::clamp(sum, low - margin, high + margin));
+      const double lowest = low >= 0 ? std::max(low - margin, 0.0) : low - margin;  // no negative value of its own
+      values[channel * pairs.count + i] = unit_ * std::sinh(std::clamp(sum, lowest, high + margin));
     }
   }
 
  private:
-  /// About twice the unknowns of the local fit.
-  static constexpr std::size_t kNeighbours = Dimensions == 3 ? 8 : 12;
+  /// Four times the unknowns of the local fit: fewer follow the nearest incidence angle alone.
+  static constexpr std::size_t kNeighbours = Dimensions == 3 ? 16 : 20;
 
   using Point = Eigen::Matrix<double, Dimensions, 1>;
   struct Points {

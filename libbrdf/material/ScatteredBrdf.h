@@ -23,19 +23,19 @@ struct ScatteredSamples {
 
 /// A BRDF known at scattered direction pairs. `samples()` gives them in their own order; `evaluate` interpolates.
 ///
-/// Method: moving least squares. The 8 nearest samples (12 when anisotropic) are blended by a local linear fit with the
-/// weights
-/// ((R - d) / (R d))^2 of Franke and Little (R the distance of the next), which are infinite at a sample's own
-/// directions and smooth elsewhere, so a sample's own value comes back. Values are interpolated as asinh(f / f0), f0 a
-/// tenth of the median magnitude: like a logarithm over the decades of a specular peak, yet exact for zero and negative
-/// values. Distances are taken between
-/// - isotropic: (sqrt(sin theta_h + 0.1), |d|, s.d), where s and d are the sum and the difference of the projections of
-/// wi
-///   and wo on the surface: the same for turned and mirrored pairs, finer towards the mirror direction. The sign of s.d
-///   keeps a pair apart from its swap, so reciprocity is not imposed on the data;
+/// Method: moving least squares. The 16 nearest samples (20 when anisotropic) are blended by a local linear fit with
+/// the weights ((R - d) / (R d))^2 of Franke and Little (R the distance of the next), which are infinite at a sample's
+/// own directions and smooth elsewhere, so a sample's own value comes back. Values are interpolated as asinh(f / f0),
+/// f0 a tenth of the median magnitude: like a logarithm over the decades of a specular peak, yet exact for zero and
+/// negative values. Between samples that are not negative the result is not either. Distances are taken between
+/// - isotropic: (sqrt(sin theta_h + 0.1), |d|, s.d / 4), where s and d are the sum and the difference of the
+/// projections
+///   of wi and wo on the surface: the same for turned and mirrored pairs, finer towards the mirror direction. The sign
+///   of s.d keeps a pair apart from its swap, so reciprocity is not imposed on the data;
 /// - anisotropic: (s stretched likewise, d), four coordinates.
-/// Error, each sample of the Cornell files predicted from the others (median of |difference| / value of the luminance):
-/// 1.3 % for garnet_red, 2.6 % for acryl_blue; peaks that only one sample shows are lost when it is left out.
+/// Error, the Cornell files' samples (eight incidence angles, 10 degrees apart) predicted from others, median of
+/// |difference| / value of the luminance: each from all others 1.5 % for garnet_red and 3.5 % for acryl_blue; each from
+/// the other incidence angles 3.1 % and 8.9 %. Peaks that only one sample shows are lost when it is left out.
 /// Valid at every pair above the horizon, far from any sample too, as long as one sample is valid.
 class BRDF_EXPORT ScatteredBrdf : public Brdf {
  public:
