@@ -110,7 +110,7 @@ void GridLocator::Axis::prepare() {
   // Buckets as wide as the narrowest interval need one step of search each; their number is bounded.
   double narrowest = span;
   for (std::size_t i = 0; i < last; ++i) narrowest = std::min(narrowest, points[i + 1] - points[i]);
-  const std::size_t many = std::clamp<std::size_t>(static_cast<std::size_t>(span / narrowest) + 1, 1, 4096);
+  const auto many = static_cast<std::size_t>(std::min(span / narrowest, 4095.0)) + 1;
   inverseStep = static_cast<double>(many) / span;
   buckets.resize(many);
   for (std::size_t b = 0, at = 0; b < many; ++b) {
@@ -123,7 +123,7 @@ inline double GridLocator::Axis::position(double coordinate) const {
   if (!(coordinate > points.front())) return 0;  // NaN is 0
   if (coordinate >= points.back()) return static_cast<double>(points.size() - 1);
   const double steps = (coordinate - origin) * inverseStep;
-  std::size_t at = buckets[std::min(static_cast<std::size_t>(steps), buckets.size() - 1)];
+  std::size_t at = buckets[static_cast<std::size_t>(std::min(steps, static_cast<double>(buckets.size() - 1)))];
   while (at > 0 && coordinate < points[at]) --at;
   while (coordinate >= points[at + 1]) ++at;
   return static_cast<double>(at) + (coordinate - points[at]) / (points[at + 1] - points[at]);
