@@ -208,8 +208,11 @@ ReadResult readAll(std::span<const NamedBytes> files, const std::filesystem::pat
       result.components.scatter.push_back({kind, side.brdf});
     } else {
       result = std::move(side);
-      if (kind != ComponentKind::FrontReflection)
+      if (kind != ComponentKind::FrontReflection) {
         result.report.warnings.push_back("no front reflection: this is the " + std::string(componentName(kind)));
+        result.components.front = false;
+        result.components.scatter.push_back({kind, result.brdf});
+      }
     }
   }
   return result;

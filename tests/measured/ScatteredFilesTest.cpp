@@ -109,9 +109,12 @@ TEST(Pab, LitFromTheBackTheSheetIsTurnedOver) {
   const auto result = brdf::readMeasured(dir / "a.pab");
   expectPair(dataOf(result), 0, {0, -kThree, 0.5}, {0, -0.5, kThree});
   EXPECT_TRUE(mentions(result.report.warnings, "back reflection"));
-  ASSERT_EQ(result.components.scatter.size(), 1u);
-  EXPECT_EQ(result.components.scatter[0].kind, brdf::ComponentKind::BackTransmission);
-  const auto& through = dynamic_cast<const brdf::ScatteredBrdf&>(*result.components.scatter[0].brdf).data();
+  EXPECT_FALSE(result.components.front);
+  ASSERT_EQ(result.components.scatter.size(), 2u);
+  EXPECT_EQ(result.components.scatter[0].kind, brdf::ComponentKind::BackReflection);
+  EXPECT_EQ(result.components.scatter[0].brdf, result.brdf) << "it stands in for the front";
+  EXPECT_EQ(result.components.scatter[1].kind, brdf::ComponentKind::BackTransmission);
+  const auto& through = dynamic_cast<const brdf::ScatteredBrdf&>(*result.components.scatter[1].brdf).data();
   expectPair(through, 0, {0, -kThree, 0.5}, {0, -0.5, kThree});
   EXPECT_EQ(through.values[0], 4);
 }
