@@ -43,7 +43,7 @@ class BRDF_EXPORT Container {
  public:
   struct Entry {
     std::string name;
-    std::string kind;         ///< "table", "grid", "scattered" or "analytic"
+    std::string kind;         ///< "table", "grid", "patches", "tree", "scattered" or "analytic"
     std::string description;  ///< one line, Brdf::description()
     bool isFit = false;       ///< whether a fit's report is stored with it
   };

@@ -1,5 +1,6 @@
 #include <brdf/io/StoredBrdf.h>
 #include <brdf/io/StoredGrid.h>
+#include <brdf/io/StoredPatches.h>
 #include <brdf/io/StoredValues.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
@@ -165,20 +166,31 @@ std::string storeBrdf(const h5::Group& group, const Brdf& brdf) {
     storeGrid(group, *grid);
     return "grid";
   }
+  if (const auto* patches = dynamic_cast<const PatchBrdf*>(&brdf)) {
+    storePatches(group, *patches);
+    return "patches";
+  }
+  if (const auto* tree = dynamic_cast<const TreeBrdf*>(&brdf)) {
+    storeTree(group, *tree);
+    return "tree";
+  }
   if (brdf.samples()) {
     storeSamples(group, brdf);
     return "scattered";
   }
-  throw Error(Error::Kind::Value, {"a container cannot keep this kind of BRDF", group.where(), brdf.description(),
-                                   "sums of lobes, tables, grids, and data with samples: tabulate it first"});
+  throw Error(Error::Kind::Value,
+              {"a container cannot keep this kind of BRDF", group.where(), brdf.description(),
+               "sums of lobes, tables, grids, patches, trees, and data with samples: tabulate it first"});
 }
 
 BrdfPointer restoreBrdf(const h5::Group& group, const std::string& kind, const std::string& description) {
   if (kind == "analytic") return restoreLobes(group);
   if (kind == "table") return restoreTable(group, description);
   if (kind == "grid") return restoreGrid(group, description);
+  if (kind == "patches") return restorePatches(group, description);
+  if (kind == "tree") return restoreTree(group, description);
   if (kind == "scattered") return restoreSamples(group, description);
-  broken(group, "unknown kind of entry", kind, "analytic, table, grid, scattered");
+  broken(group, "unknown kind of entry", kind, "analytic, table, grid, patches, tree, scattered");
 }
 
 }  // namespace brdf

@@ -11,6 +11,7 @@ namespace brdf {
 /// "table"     a TableBrdf: a VTKHDF ImageData (attributes Version, Type, WholeExtent, Origin, Spacing, Direction;
 ///             point arrays value_0, value_1, ... one a channel, and valid: a CellState each), plus the axes' meaning;
 /// "grid"      a GridBrdf (io/StoredGrid.h);
+/// "patches"   a PatchBrdf, "tree" a TreeBrdf (io/StoredPatches.h);
 /// "scattered" anything else that has samples: wi and wo (count x 3), value_0, value_1, ..., valid.
 /// Throws Error::Kind::Value for a BRDF that is none of these.
 std::string storeBrdf(const h5::Group& group, const Brdf& brdf);

@@ -1,7 +1,9 @@
 #include <brdf/material/CellCounts.h>
 #include <brdf/material/GridBrdf.h>
+#include <brdf/material/PatchBrdf.h>
 #include <brdf/material/ScatteredBrdf.h>
 #include <brdf/material/TableBrdf.h>
+#include <brdf/material/TreeBrdf.h>
 
 #include <algorithm>
 
@@ -41,6 +43,14 @@ std::optional<CellCounts> countCells(const Brdf& brdf) {
     countBelow(TableDirections(layout), layout.cells(), counts);
     counts.layout = "phi_d " + std::to_string(layout.phiD) + " x theta_d " + std::to_string(layout.thetaD) +
                     " x theta_h " + std::to_string(layout.thetaH) + ", half_difference";
+  } else if (const auto* patches = dynamic_cast<const PatchBrdf*>(&brdf)) {
+    const PatchData& data = patches->data();
+    counts.measured = data.incident.count() * data.outgoing.count();
+    counts.layout = std::to_string(data.incident.count()) + " incident x " + std::to_string(data.outgoing.count()) +
+                    " outgoing patches";
+  } else if (const auto* tree = dynamic_cast<const TreeBrdf*>(&brdf)) {
+    counts.measured = tree->tree().cells();
+    counts.layout = "tensor tree of rank " + std::to_string(tree->tree().rank());
   } else if (const auto* scattered = dynamic_cast<const ScatteredBrdf*>(&brdf)) {
     const ScatteredSamples& data = scattered->data();
     countStates(data.valid, counts);
