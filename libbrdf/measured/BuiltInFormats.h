@@ -25,5 +25,8 @@ Format zemaxFormat();            ///< ZemaxFormat.cpp
 Format ssddFormat();             ///< SsddFormat.cpp
 Format rglFormat();              ///< RglFormat.cpp
 Format kaistFormat();            ///< RglFormat.cpp
+Format radianceFormat();         ///< RadianceFormat.cpp
+Format radianceKlemsFormat();    ///< RadianceFormat.cpp: for writing
+Format radianceTreeFormat();     ///< RadianceFormat.cpp: for writing
 
 }  // namespace brdf

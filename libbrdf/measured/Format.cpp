@@ -38,6 +38,9 @@ std::vector<Format>& registry() {
       lightToolsFormat(),
       zemaxFormat(),
       ssddFormat(),
+      radianceFormat(),
+      radianceKlemsFormat(),
+      radianceTreeFormat(),
   };
   // clang-format on
   return formats;
@@ -76,7 +79,7 @@ const Format& recognise(std::string_view bytes, const std::filesystem::path& pat
   if (const Format* best = bestFormat(bytes.substr(0, kHeadBytes), bytes.size())) return *best;
   if (bytes.empty()) throw Error(Error::Kind::Format, {"the file is empty", path.string(), "0 bytes", {}});
   for (const Format& format : registry())
-    if (format.extension == path.extension()) return format;
+    if (format.read && format.extension == path.extension()) return format;
   throw Error(Error::Kind::Format,
               {"no format recognises the content", path.string(), shown(bytes), "one of " + joined(names())});
 }

@@ -56,7 +56,8 @@ struct Format {
   /// (a magic number). The highest wins; extensions never decide.
   std::function<int(std::string_view head, std::uint64_t size)> recognise;
   /// Reads the file's bytes. Throws Error::Kind::Format with offset or line. `path` is for messages only. `options`
-  /// are those of `takes` alone: every one that is given is honoured, and recorded as an assumption (choose()).
+  /// are those of `takes` alone: every one that is given is honoured, and recorded as an assumption (choose()). Null
+  /// for another way of writing a format that a record of its own reads; its `recognise` says 0.
   std::function<ReadResult(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options)> read;
   /// Writes any BRDF, resampling where needed; null when the format is read-only. Writes to `path` as given (the caller
   /// passes AtomicFile's temporary).

@@ -152,8 +152,15 @@ TEST(TextFiles, LineEndsMarksAndAMissingLastNewlineDoNotMatter) {
     for (const char c : unix) dos += c == '\n' ? std::string("\r\n") : std::string(1, c);
     const auto plain = readBytes(dir / "a.txt", unix + "\n\n"), other = readBytes(dir / "b.txt", dos);
     EXPECT_EQ(other.report.format, plain.report.format) << file;
-    EXPECT_EQ(dataOf(other).values, dataOf(plain).values) << file;
-    EXPECT_EQ(dataOf(other).pairs.wo, dataOf(plain).pairs.wo) << file;
+    if (dynamic_cast<const brdf::ScatteredBrdf*>(plain.brdf.get())) {
+      EXPECT_EQ(dataOf(other).values, dataOf(plain).values) << file;
+      EXPECT_EQ(dataOf(other).pairs.wo, dataOf(plain).pairs.wo) << file;
+    } else {
+      for (const double phi : {0.5, 2.0, 4.0, 6.0}) {
+        const brdf::Direction wi = brdf::fromSpherical(0.8, phi), wo = brdf::fromSpherical(0.3, 3 * phi);
+        EXPECT_EQ(other.brdf->evaluate(wi, wo), plain.brdf->evaluate(wi, wo)) << file;
+      }
+    }
     EXPECT_EQ(other.report.warnings, plain.report.warnings) << file;
   }
   EXPECT_GE(tried, 10);
