@@ -8,6 +8,7 @@
 #include <brdf/measured/Format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -62,9 +63,12 @@ inline void expectPair(const brdf::ScatteredSamples& data, std::size_t i, const 
   }
 }
 
-/// A fresh folder for the files of one test.
+/// A fresh folder for the files of the running test; tests run side by side.
 inline std::filesystem::path folder(const std::string& name) {
-  const auto path = std::filesystem::path(BRDF_TEST_DIR) / "measured" / name;
+  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+  std::string own = std::string(test->test_suite_name()) + "." + test->name();
+  std::replace(own.begin(), own.end(), '/', '-');
+  const auto path = std::filesystem::path(BRDF_TEST_DIR) / "measured" / own / name;
   std::filesystem::remove_all(path);
   std::filesystem::create_directories(path);
   return path;

@@ -17,6 +17,8 @@
 #include <map>
 #include <random>
 
+#include "MeasuredSupport.h"
+
 namespace brdf {
 namespace {
 
@@ -52,8 +54,7 @@ std::string tensorFile(const std::vector<RawField>& fields) {
 }
 
 std::filesystem::path written(const std::string& bytes, const char* name = "small.bsdf") {
-  const auto folder = std::filesystem::path(BRDF_TEST_DIR) / "rgl";
-  std::filesystem::create_directories(folder);
+  const auto folder = measuredtest::folder(name);
   writeFile(folder / name, bytes);
   return folder / name;
 }
@@ -247,7 +248,7 @@ class RglRoundTrip : public testing::TestWithParam<Material> {
  protected:
   BrdfPointer material_ = parseMaterialExpression(GetParam().expression);
   ReadResult again() {
-    const auto path = std::filesystem::path(BRDF_TEST_DIR) / (std::string(GetParam().name) + ".bsdf");
+    const auto path = measuredtest::folder("rgl") / (std::string(GetParam().name) + ".bsdf");
     writeMeasured(*material_, path);
     return readMeasured(path);
   }
@@ -284,7 +285,7 @@ TEST(RglWriter, LosesLessWithMoreNodes) {
 }
 
 TEST(RglWriter, WritesWhatTheReadersOfRenderersDemand) {
-  const auto path = std::filesystem::path(BRDF_TEST_DIR) / "fields.bsdf";
+  const auto path = measuredtest::folder("rgl") / "fields.bsdf";
   const auto material =
       parseMaterialExpression("(0.1,0.2,0.3,0.4)*Lambertian", Channels::spectral({400, 500, 600, 700}));
   writeMeasured(*material, path);
