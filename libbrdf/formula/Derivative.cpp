@@ -1,9 +1,22 @@
+#include <brdf/base/Error.h>
 #include <brdf/formula/Derivative.h>
 
 #include <numbers>
 
 namespace brdf::formula {
 namespace {
+
+[[noreturn]] void noDerivative(const std::string& what) {
+  throw Error(Error::Kind::Formula, {what + " is not offered", "derivative", {}, {}});
+}
+
+/// dP(a, x)/dx = exp(-x) x^(a-1)/Gamma(a), counted as 0 at x = 0.
+NodeId gammaDensity(Graph& g, NodeId a, NodeId x) {
+  const NodeId zero = g.constant(0);
+  const NodeId power = g.mul(g.sub(a, g.constant(1)), g.make(Op::Log, x));
+  const NodeId exponent = g.sub(g.sub(power, x), g.make(Op::Lgamma, a));
+  return g.select(g.make(Op::Less, zero, x), g.make(Op::Exp, exponent), zero);
+}
 
 /// d(node) given the derivatives of its operands.
 NodeId chainRule(Graph& g, NodeId id, const NodeId* d) {
@@ -58,6 +71,37 @@ NodeId chainRule(Graph& g, NodeId id, const NodeId* d) {
     }
     case Op::Lgamma:
       return g.mul(d[0], g.make(Op::Digamma, a));
+    case Op::Digamma:
+      return g.mul(d[0], g.make(Op::Trigamma, a));
+    case Op::BesselJ0:
+      return g.neg(g.mul(d[0], g.make(Op::BesselJ1, a)));
+    case Op::BesselI0:
+      return g.mul(d[0], g.make(Op::BesselI1, a));
+    case Op::BesselK0:
+      return g.neg(g.mul(d[0], g.make(Op::BesselK1, a)));
+    case Op::BesselJ1:
+    case Op::BesselI1: {
+      // f1' = f0 - f1/x (DLMF 10.6.2, 10.29.2), 1/2 at 0.
+      const NodeId f0 = g.make(node.op == Op::BesselJ1 ? Op::BesselJ0 : Op::BesselI0, a);
+      const NodeId slope = g.select(g.make(Op::Equal, a, zero), g.constant(0.5), g.sub(f0, g.div(id, a)));
+      return g.mul(d[0], slope);
+    }
+    case Op::BesselK1:
+      return g.neg(g.mul(d[0], g.add(g.make(Op::BesselK0, a), g.div(id, a))));
+    case Op::GammaP:
+    case Op::GammaQ: {
+      const NodeId byA = g.isConstant(d[0], 0) ? zero : g.mul(d[0], g.make(Op::GammaPDa, a, b));
+      const NodeId slope = g.add(byA, g.mul(d[1], gammaDensity(g, a, b)));
+      return node.op == Op::GammaP ? slope : g.neg(slope);
+    }
+    case Op::GammaPDa: {
+      // d^2P/(dx da) = density (log x - digamma a)
+      if (!g.isConstant(d[0], 0)) noDerivative("the second derivative of gammap by its first argument");
+      const NodeId logarithm = guarded(b, g.sub(g.make(Op::Log, b), g.make(Op::Digamma, a)));
+      return g.mul(d[1], g.mul(gammaDensity(g, a, b), logarithm));
+    }
+    case Op::Trigamma:
+      noDerivative("the derivative of trigamma");
     case Op::Add:
       return g.add(d[0], d[1]);
     case Op::Sub:
@@ -98,7 +142,12 @@ NodeId chainRule(Graph& g, NodeId id, const NodeId* d) {
 }  // namespace
 
 NodeId derivative(Graph& graph, NodeId root, NodeId variable) {
-  const std::vector<bool> needed = graph.reachable({root});
+  // What the root's derivative needs: not that of a Solve's own slope.
+  std::vector<bool> needed(root + 1, false);
+  needed[root] = true;
+  for (NodeId id = root + 1; id-- > 0;)
+    for (int k = 0; needed[id] && k < arity(graph[id].op) && !(graph[id].op == Op::Solve && k == 3); ++k)
+      needed[graph[id].operands[k]] = true;
   const NodeId zero = graph.constant(0), one = graph.constant(1);
   std::vector<NodeId> slope(root + 1, zero);
   for (NodeId id = 0; id <= root; ++id) {

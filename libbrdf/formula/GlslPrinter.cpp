@@ -41,6 +41,16 @@ std::string functionName(Op op) {
     case Op::Erfc:
     case Op::Lgamma:
     case Op::Digamma:
+    case Op::Trigamma:
+    case Op::BesselJ0:
+    case Op::BesselJ1:
+    case Op::BesselI0:
+    case Op::BesselI1:
+    case Op::BesselK0:
+    case Op::BesselK1:
+    case Op::GammaP:
+    case Op::GammaQ:
+    case Op::GammaPDa:
     case Op::Pow:
       return "brdf_" + std::string(opName(op));
     default:

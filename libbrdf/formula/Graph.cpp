@@ -1,4 +1,5 @@
 #include <brdf/formula/Graph.h>
+#include <brdf/formula/SpecialFunctions.h>
 #include <brdf/formula/Table.h>
 
 #include <algorithm>
@@ -19,13 +20,16 @@ struct OpInfo {
 };
 
 constexpr std::array<OpInfo, static_cast<std::size_t>(Op::Count)> kOps{{
-    {"constant", 0}, {"input", 0},   {"parameter", 0}, {"-", 1},      {"abs", 1},    {"sqrt", 1},      {"exp", 1},
-    {"expm1", 1},    {"log", 1},     {"log1p", 1},     {"sin", 1},    {"cos", 1},    {"tan", 1},       {"asin", 1},
-    {"acos", 1},     {"atan", 1},    {"sinh", 1},      {"cosh", 1},   {"tanh", 1},   {"erf", 1},       {"erfc", 1},
-    {"lgamma", 1},   {"digamma", 1}, {"floor", 1},     {"!", 1},      {"+", 2},      {"-", 2},         {"*", 2},
-    {"/", 2},        {"pow", 2},     {"min", 2},       {"max", 2},    {"atan2", 2},  {"<", 2},         {"<=", 2},
-    {"==", 2},       {"&&", 2},      {"||", 2},        {"select", 3}, {"bound", 0},  {"sum", 3},       {"solve", 4},
-    {"table", 2},    {"tableDx", 2}, {"tableDy", 2},   {"muladd", 3}, {"mulsub", 3}, {"negmuladd", 3}, {"copy", 1},
+    {"constant", 0}, {"input", 0},    {"parameter", 0}, {"-", 1},         {"abs", 1},      {"sqrt", 1},
+    {"exp", 1},      {"expm1", 1},    {"log", 1},       {"log1p", 1},     {"sin", 1},      {"cos", 1},
+    {"tan", 1},      {"asin", 1},     {"acos", 1},      {"atan", 1},      {"sinh", 1},     {"cosh", 1},
+    {"tanh", 1},     {"erf", 1},      {"erfc", 1},      {"lgamma", 1},    {"digamma", 1},  {"trigamma", 1},
+    {"besselj0", 1}, {"besselj1", 1}, {"besseli0", 1},  {"besseli1", 1},  {"besselk0", 1}, {"besselk1", 1},
+    {"floor", 1},    {"!", 1},        {"+", 2},         {"-", 2},         {"*", 2},        {"/", 2},
+    {"pow", 2},      {"min", 2},      {"max", 2},       {"atan2", 2},     {"gammap", 2},   {"gammaq", 2},
+    {"gammapDa", 2}, {"<", 2},        {"<=", 2},        {"==", 2},        {"&&", 2},       {"||", 2},
+    {"select", 3},   {"bound", 0},    {"sum", 3},       {"solve", 4},     {"table", 2},    {"tableDx", 2},
+    {"tableDy", 2},  {"muladd", 3},   {"mulsub", 3},    {"negmuladd", 3}, {"copy", 1},
 }};
 
 bool commutative(Op op) { return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or; }
@@ -77,6 +81,20 @@ double applyOp(Op op, double a, double b, double c) {
       return std::lgamma(a);
     case Op::Digamma:
       return a > 0 ? boost::math::digamma(a, Quiet{}) : std::nan("");
+    case Op::Trigamma:
+      return trigamma(a);
+    case Op::BesselJ0:
+      return besselJ0(a);
+    case Op::BesselJ1:
+      return besselJ1(a);
+    case Op::BesselI0:
+      return besselI0(a);
+    case Op::BesselI1:
+      return besselI1(a);
+    case Op::BesselK0:
+      return besselK0(a);
+    case Op::BesselK1:
+      return besselK1(a);
     case Op::Floor:
       return std::floor(a);
     case Op::Not:
@@ -97,6 +115,12 @@ double applyOp(Op op, double a, double b, double c) {
       return b > a ? b : a;
     case Op::Atan2:
       return std::atan2(a, b);
+    case Op::GammaP:
+      return gammaP(a, b);
+    case Op::GammaQ:
+      return gammaQ(a, b);
+    case Op::GammaPDa:
+      return gammaPDa(a, b);
     case Op::Less:
       return a < b ? 1 : 0;
     case Op::LessEqual:

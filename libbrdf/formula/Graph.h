@@ -13,6 +13,7 @@ namespace brdf::formula {
 /// Defined corners: pow(0, 0) = 1 and pow(0, n) = 0 for n > 0; at a tie min and max take (and are differentiated by)
 /// their first operand; acos and asin clamp their operand to [-1, 1]; sqrt and log of a negative operand are NaN, which
 /// a `select` may discard.
+/// Special functions outside their domain (formula/SpecialFunctions.h) are NaN likewise.
 /// A Sum ends for a lane when Bound exceeds last, or when two terms running have shrunk and are at most tolerance times
 /// the sum so far; at most kMaximumTerms terms. A Solve needs f of opposite sign at its ends; Newton steps kept inside
 /// the bracket by bisection, until the step is below an ulp or so; without a change of sign the better end is taken.
@@ -40,6 +41,13 @@ enum class Op : std::uint8_t {
   Erfc,
   Lgamma,
   Digamma,
+  Trigamma,
+  BesselJ0,
+  BesselJ1,
+  BesselI0,
+  BesselI1,
+  BesselK0,
+  BesselK1,
   Floor,
   Not,
   Add,
@@ -50,6 +58,9 @@ enum class Op : std::uint8_t {
   Min,
   Max,
   Atan2,
+  GammaP,
+  GammaQ,    // regularised incomplete gamma functions of (a, x)
+  GammaPDa,  // dP/da, made by derivatives only
   Less,
   LessEqual,
   Equal,

@@ -55,6 +55,20 @@ inline typename Simd<T>::V apply(typename Simd<T>::V a, typename Simd<T>::V b, t
     return S::lgamma(a);
   else if constexpr (op == Op::Digamma)
     return S::digamma(a);
+  else if constexpr (op == Op::Trigamma)
+    return S::each(brdf::formula::trigamma, a);
+  else if constexpr (op == Op::BesselJ0)
+    return S::each(brdf::formula::besselJ0, a);
+  else if constexpr (op == Op::BesselJ1)
+    return S::each(brdf::formula::besselJ1, a);
+  else if constexpr (op == Op::BesselI0)
+    return S::each(brdf::formula::besselI0, a);
+  else if constexpr (op == Op::BesselI1)
+    return S::each(brdf::formula::besselI1, a);
+  else if constexpr (op == Op::BesselK0)
+    return S::each(brdf::formula::besselK0, a);
+  else if constexpr (op == Op::BesselK1)
+    return S::each(brdf::formula::besselK1, a);
   else if constexpr (op == Op::Floor)
     return S::floor(a);
   else if constexpr (op == Op::Not)
@@ -75,6 +89,12 @@ inline typename Simd<T>::V apply(typename Simd<T>::V a, typename Simd<T>::V b, t
     return b > a ? b : a;
   else if constexpr (op == Op::Atan2)
     return S::atan2(a, b);
+  else if constexpr (op == Op::GammaP)
+    return S::each(brdf::formula::gammaP, a, b);
+  else if constexpr (op == Op::GammaQ)
+    return S::each(brdf::formula::gammaQ, a, b);
+  else if constexpr (op == Op::GammaPDa)
+    return S::each(brdf::formula::gammaPDa, a, b);
   else if constexpr (op == Op::Less)
     return a < b ? one : zero;
   else if constexpr (op == Op::LessEqual)
@@ -133,9 +153,12 @@ constexpr KernelTable<T> makeTable() {
   add<Op::Log, 1>(t), add<Op::Log1p, 1>(t), add<Op::Sin, 1>(t), add<Op::Cos, 1>(t), add<Op::Tan, 1>(t);
   add<Op::Asin, 1>(t), add<Op::Acos, 1>(t), add<Op::Atan, 1>(t), add<Op::Sinh, 1>(t), add<Op::Cosh, 1>(t);
   add<Op::Tanh, 1>(t), add<Op::Erf, 1>(t), add<Op::Erfc, 1>(t), add<Op::Lgamma, 1>(t), add<Op::Digamma, 1>(t);
+  add<Op::Trigamma, 1>(t), add<Op::BesselJ0, 1>(t), add<Op::BesselJ1, 1>(t), add<Op::BesselI0, 1>(t);
+  add<Op::BesselI1, 1>(t), add<Op::BesselK0, 1>(t), add<Op::BesselK1, 1>(t);
   add<Op::Floor, 1>(t), add<Op::Not, 1>(t), add<Op::Copy, 1>(t);
   add<Op::Add, 2>(t), add<Op::Sub, 2>(t), add<Op::Mul, 2>(t), add<Op::Div, 2>(t), add<Op::Pow, 2>(t);
   add<Op::Min, 2>(t), add<Op::Max, 2>(t), add<Op::Atan2, 2>(t), add<Op::Less, 2>(t), add<Op::LessEqual, 2>(t);
+  add<Op::GammaP, 2>(t), add<Op::GammaQ, 2>(t), add<Op::GammaPDa, 2>(t);
   add<Op::Equal, 2>(t), add<Op::And, 2>(t), add<Op::Or, 2>(t);
   add<Op::Select, 3>(t), add<Op::MulAdd, 3>(t), add<Op::MulSub, 3>(t), add<Op::NegMulAdd, 3>(t);
   return t;

@@ -1,6 +1,7 @@
 // Simd<T> for x86-64, chosen by the instruction set this file is compiled for; see Kernels.inl, which it ends by
 // including. The vector functions are SLEEF's, at most 1.0 ulp off (erfc 1.5 ulp), which tests/formula measures against
 // extended precision.
+#include <brdf/formula/SpecialFunctions.h>
 #include <immintrin.h>
 #include <sleef.h>
 
@@ -62,11 +63,17 @@ struct Simd;
       const V one = fill(1);                                                                 \
       return a > one ? one : (a < -one ? -one : a);                                          \
     }                                                                                        \
-    static V digamma(V a) {                                                                  \
+    static V each(double (*f)(double), V a) {                                                \
       V r{};                                                                                 \
-      for (unsigned i = 0; i < width; ++i) r[i] = static_cast<T>(digammaOfPositive(a[i]));   \
+      for (unsigned i = 0; i < width; ++i) r[i] = static_cast<T>(f(a[i]));                   \
       return r;                                                                              \
     }                                                                                        \
+    static V each(double (*f)(double, double), V a, V b) {                                   \
+      V r{};                                                                                 \
+      for (unsigned i = 0; i < width; ++i) r[i] = static_cast<T>(f(a[i], b[i]));             \
+      return r;                                                                              \
+    }                                                                                        \
+    static V digamma(V a) { return each(digammaOfPositive, a); }                             \
     static V sqrt(V a);                                                                      \
     static V divide(V a, V b);                                                               \
     static V mulAdd(V a, V b, V c);                                                          \

@@ -22,20 +22,27 @@ struct Builtin {
   Op op;
 };
 
-constexpr std::array kUnary = {
-    Builtin{"neg", Op::Neg},         Builtin{"!", Op::Not},      Builtin{"abs", Op::Abs},
-    Builtin{"sqrt", Op::Sqrt},       Builtin{"exp", Op::Exp},    Builtin{"expm1", Op::Expm1},
-    Builtin{"log", Op::Log},         Builtin{"ln", Op::Log},     Builtin{"log1p", Op::Log1p},
-    Builtin{"sin", Op::Sin},         Builtin{"cos", Op::Cos},    Builtin{"tan", Op::Tan},
-    Builtin{"asin", Op::Asin},       Builtin{"acos", Op::Acos},  Builtin{"atan", Op::Atan},
-    Builtin{"sinh", Op::Sinh},       Builtin{"cosh", Op::Cosh},  Builtin{"tanh", Op::Tanh},
-    Builtin{"erf", Op::Erf},         Builtin{"erfc", Op::Erfc},  Builtin{"lgamma", Op::Lgamma},
-    Builtin{"digamma", Op::Digamma}, Builtin{"floor", Op::Floor}};
+constexpr std::array kUnary = {Builtin{"neg", Op::Neg},           Builtin{"!", Op::Not},
+                               Builtin{"abs", Op::Abs},           Builtin{"sqrt", Op::Sqrt},
+                               Builtin{"exp", Op::Exp},           Builtin{"expm1", Op::Expm1},
+                               Builtin{"log", Op::Log},           Builtin{"ln", Op::Log},
+                               Builtin{"log1p", Op::Log1p},       Builtin{"sin", Op::Sin},
+                               Builtin{"cos", Op::Cos},           Builtin{"tan", Op::Tan},
+                               Builtin{"asin", Op::Asin},         Builtin{"acos", Op::Acos},
+                               Builtin{"atan", Op::Atan},         Builtin{"sinh", Op::Sinh},
+                               Builtin{"cosh", Op::Cosh},         Builtin{"tanh", Op::Tanh},
+                               Builtin{"erf", Op::Erf},           Builtin{"erfc", Op::Erfc},
+                               Builtin{"lgamma", Op::Lgamma},     Builtin{"digamma", Op::Digamma},
+                               Builtin{"trigamma", Op::Trigamma}, Builtin{"besselj0", Op::BesselJ0},
+                               Builtin{"besselj1", Op::BesselJ1}, Builtin{"besseli0", Op::BesselI0},
+                               Builtin{"besseli1", Op::BesselI1}, Builtin{"besselk0", Op::BesselK0},
+                               Builtin{"besselk1", Op::BesselK1}, Builtin{"floor", Op::Floor}};
 
-constexpr std::array kBinary = {Builtin{"+", Op::Add},  Builtin{"-", Op::Sub},        Builtin{"*", Op::Mul},
-                                Builtin{"/", Op::Div},  Builtin{"pow", Op::Pow},      Builtin{"atan2", Op::Atan2},
-                                Builtin{"<", Op::Less}, Builtin{"<=", Op::LessEqual}, Builtin{"==", Op::Equal},
-                                Builtin{"&&", Op::And}, Builtin{"||", Op::Or}};
+constexpr std::array kBinary = {
+    Builtin{"+", Op::Add},   Builtin{"-", Op::Sub},        Builtin{"*", Op::Mul},         Builtin{"/", Op::Div},
+    Builtin{"pow", Op::Pow}, Builtin{"atan2", Op::Atan2},  Builtin{"gammap", Op::GammaP}, Builtin{"gammaq", Op::GammaQ},
+    Builtin{"<", Op::Less},  Builtin{"<=", Op::LessEqual}, Builtin{"==", Op::Equal},      Builtin{"&&", Op::And},
+    Builtin{"||", Op::Or}};
 
 template <std::size_t n>
 const Builtin* find(const std::array<Builtin, n>& table, std::string_view name) {

@@ -45,7 +45,8 @@ struct ParseResult {
 ///     expression               the last statement is the formula's value (an assignment's value counts)
 ///   expression: numbers, names (formula/Variables.h, the parameters), + - * / ^ (right-associative, binds tighter than
 ///     the minus before it: -x^2 = -(x^2)), < <= > >= == !=, && || !, c ? a : b, calls
-///   functions: select(condition, then, else), also spelled if, min and max of one or more, pow, atan2, hypot, sqr, and
+///   functions: select(condition, then, else), also spelled if, min and max of one or more, pow, atan2, hypot, sqr,
+///     gammap(a, x) and gammaq(a, x) (the regularised incomplete gamma functions), and
 ///   every function
 ///     of one number in formula/Graph.h
 ///   sum(k, first, last, term [, tolerance]): the terms for k = first, first + 1, ... up to last; ends early when two

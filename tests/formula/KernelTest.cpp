@@ -31,7 +31,17 @@ constexpr Accuracy kAccuracies[] = {
     {Op::Mul, 0.5, 0, kAll},   {Op::Div, 0.501, 0, kAll}, {Op::Pow, 1, 0, kAll},     {Op::Min, 0.5, 0, kAll},
     {Op::Max, 0.5, 0, kAll},   {Op::Atan2, 1, 0, 1e30},   {Op::Less, 0.5, 0, kAll},  {Op::LessEqual, 0.5, 0, kAll},
     {Op::Equal, 0.5, 0, kAll}, {Op::And, 0.5, 0, kAll},   {Op::Or, 0.5, 0, kAll},
+    {Op::Trigamma, 2, 0, 1e10},
+    {Op::BesselJ0, 2, 2, 1e4},   {Op::BesselJ1, 2, 2, 1e4}, {Op::BesselI0, 2, 0, 80}, {Op::BesselI1, 2, 0, 80},
+    {Op::BesselK0, 2, 0, 80},    {Op::BesselK1, 2, 0, 80},  {Op::GammaP, 20, 0, 1e3}, {Op::GammaQ, 20, 0, 1e3},
+    {Op::GammaPDa, 100, 1, 1e3},
 };
+
+bool isIncompleteGamma(Op op) { return op == Op::GammaP || op == Op::GammaQ || op == Op::GammaPDa; }
+bool isPositiveOnly(Op op) {
+  return op == Op::Lgamma || op == Op::Digamma || op == Op::Trigamma || op == Op::BesselK0 || op == Op::BesselK1 ||
+         isIncompleteGamma(op);
+}
 
 /// Numbers where functions break, of both signs, as T holds them (subnormal ones in double only: float programs flush
 /// them); then ordinary ones, logarithmically spread.
@@ -84,7 +94,8 @@ std::vector<Case<T>> casesOf(const Accuracy& accuracy) {
   const auto add = [&](T a, T b) {
     if (std::fabs(a) > accuracy.reach || std::fabs(b) > accuracy.reach) return;
     if (accuracy.op == Op::Pow && a < 0 && std::fabs(b) > 1e9) return;
-    if ((accuracy.op == Op::Lgamma || accuracy.op == Op::Digamma) && !(a > 0)) return;  // the language asks for a > 0
+    if (isPositiveOnly(accuracy.op) && !(a > 0)) return;  // the language asks for a > 0
+    if (isIncompleteGamma(accuracy.op) && !(b >= 0)) return;
     cases.push_back({a, b, evaluateExtended(graph, {node}, {static_cast<double>(a), static_cast<double>(b)}, {})[0]});
   };
   for (std::size_t i = 0; i < values.size(); ++i) {
