@@ -47,9 +47,10 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
       this->Terms.push_back({ lobe.model.get(),
                               this->ParameterValues.size(),
                               material.samplingWeights()[index] / static_cast<double>(terms) });
-      for (double value : lobe.parametersOf(term))
+      const auto& values = lobe.parametersOf(term);
+      for (std::size_t k = 0; k < values.size(); ++k)
       {
-        this->ParameterValues.push_back(static_cast<float>(value));
+        this->ParameterValues.push_back(lobe.model->parameters()[k].shaderValue(values[k]));
       }
       for (std::size_t channel = 0; channel < 3; ++channel)
       {

@@ -1,6 +1,7 @@
 #include <brdf/check/Tally.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace brdf {
 namespace {
@@ -29,7 +30,12 @@ Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& o
   // The ends of the soft bounds are where float itself has no four digits left.
   std::erase_if(cases, [](const ParameterCase& one) { return one.name.starts_with("soft m"); });
   for (ParameterCase& one : cases)
-    for (double& value : one.values) value = static_cast<double>(static_cast<float>(value));
+    for (std::size_t k = 0; k < one.values.size(); ++k) {
+      // As shaders get them, so that rounding a parameter is not held against the formula.
+      const Parameter& p = model.parameters()[k];
+      const double rounded = static_cast<double>(p.shaderValue(one.values[k]));
+      one.values[k] = p.isLogarithmInShaders() ? std::exp(rounded) : rounded;
+    }
 
   // All cases in one run: parameters are columns too.
   std::vector<GlslColumn> columns;
@@ -38,7 +44,8 @@ Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& o
     columns.push_back({"p" + std::to_string(k), {}});
     arguments += ", " + columns.back().name;
     for (const ParameterCase& one : cases)
-      columns.back().values.insert(columns.back().values.end(), pairs.size(), static_cast<float>(one.values[k]));
+      columns.back().values.insert(columns.back().values.end(), pairs.size(),
+                                   model.parameters()[k].shaderValue(one.values[k]));
   }
   arguments += ")";
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -303,7 +303,8 @@ float brdf_gammaFactor(float a, float x) {
 }
 
 // Regularised incomplete gamma functions P (part 0) and Q (part 1), a > 0, x >= 0: the power series of P (A. and S.
-// 6.5.29) below x = a + 1, the continued fraction of Q (6.5.31) by Lentz's method above.
+// 6.5.29) below x = a + 1, the continued fraction of Q (6.5.31) by Lentz's method above. Relative error 1e-5, or one ulp
+// for each unit of a and of the result's logarithm.
 float brdf_incompleteGamma(float a, float x, int part) {
   if (!(a > 0.0) || !(x >= 0.0)) return uintBitsToFloat(0x7fc00000u);
   if (x == 0.0) return float(part);

@@ -283,18 +283,30 @@ std::string FormulaModel::glsl() const {
   const Compiled& c = compiled();
   formula::GlslNames names;
   std::string arguments;
-  for (const Parameter& parameter : parameters_) {
-    names.parameters.push_back("p_" + parameter.name);
-    arguments += ", float p_" + parameter.name;
+  Graph graph = c.graph;
+  std::vector<std::vector<NodeId>> roots{{c.value}, {c.density}, c.draw};
+  for (std::uint32_t k = 0; k < parameters_.size(); ++k) {
+    const std::string name = "p_" + parameters_[k].name;
+    arguments += ", float " + name;
+    names.parameters.push_back(parameters_[k].isLogarithmInShaders() ? "brdf_exp(" + name + ")" : name);
+  }
+  // Where a parameter arrives as its logarithm, that stands for log(parameter): exp may be beyond float.
+  for (std::uint32_t k = 0; k < parameters_.size(); ++k) {
+    if (!parameters_[k].isLogarithmInShaders()) continue;
+    const NodeId logarithm = graph.make(Op::Log, graph.parameter(k));
+    const NodeId given = graph.parameter(static_cast<std::uint32_t>(names.parameters.size()));
+    names.parameters.push_back("p_" + parameters_[k].name);
+    for (std::vector<NodeId>& nodes : roots)
+      for (NodeId& node : nodes) node = graph.substitute(node, logarithm, given);
   }
   const auto function = [&](const std::string& head, const std::vector<NodeId>& nodes, const char* wrap) {
-    const formula::GlslBody body = formula::printGlsl(c.graph, nodes, names);
+    const formula::GlslBody body = formula::printGlsl(graph, nodes, names);
     return body.functions + head + arguments + ") {\n" + body.statements + "  return " + wrap +
            (nodes.size() == 1 ? body.outputs[0] : "(" + joined(body.outputs) + ")") + ";\n}\n\n";
   };
-  return function("float brdf_" + name_ + "(vec3 wi, vec3 wo", {c.value}, "") +
-         function("float brdf_" + name_ + "_pdf(vec3 wi, vec3 wo", {c.density}, "") +
-         function("vec3 brdf_" + name_ + "_sample(vec3 wo, vec2 u", c.draw, "vec3");
+  return function("float brdf_" + name_ + "(vec3 wi, vec3 wo", roots[0], "") +
+         function("float brdf_" + name_ + "_pdf(vec3 wi, vec3 wo", roots[1], "") +
+         function("vec3 brdf_" + name_ + "_sample(vec3 wo, vec2 u", roots[2], "vec3");
 }
 
 const std::vector<std::string>& FormulaModel::distributions() const { return compiled().distributions; }

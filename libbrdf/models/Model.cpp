@@ -4,8 +4,19 @@
 #include <brdf/models/Model.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace brdf {
+
+bool Parameter::isLogarithmInShaders() const {
+  using Limits = std::numeric_limits<float>;
+  return scale == Scale::Logarithmic && minimum > 0 && (maximum > Limits::max() || minimum < Limits::min());
+}
+
+float Parameter::shaderValue(double value) const {
+  return static_cast<float>(isLogarithmInShaders() ? std::log(value) : value);
+}
 Model::~Model() = default;
 
 const Declaration* Model::declared(std::string_view check) const {

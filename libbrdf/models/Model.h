@@ -77,7 +77,8 @@ class BRDF_EXPORT Model {
   ///   float brdf_<name>(vec3 wi, vec3 wo, float p0, ...)          value, 0 below the horizon
   ///   float brdf_<name>_pdf(vec3 wi, vec3 wo, float p0, ...)      density of the sampler, 1/sr
   ///   vec3  brdf_<name>_sample(vec3 wo, vec2 u, float p0, ...)    unit wi, or vec3(0) for a failed draw
-  /// Directions are in the local frame (normal +z). Needs glslPrelude() before it.
+  /// Directions are in the local frame (normal +z); parameters are what Parameter::shaderValue gives. Needs
+  /// glslPrelude() before it.
   virtual std::string glsl() const = 0;
 
   /// GLSL of the functions that every model's source may call (log, pow, ... of known accuracy). No #version line.

@@ -1,11 +1,13 @@
 #pragma once
+#include <brdf/brdf_export.h>
+
 #include <string>
 #include <vector>
 
 namespace brdf {
 
 /// One parameter of a model: a record that fitting, sliders, the command line and the documentation all read.
-struct Parameter {
+struct BRDF_EXPORT Parameter {
   enum class Scale { Linear, Logarithmic };
 
   std::string name;         ///< identifier in the equation and in material expressions, e.g. "alpha"
@@ -22,6 +24,12 @@ struct Parameter {
   /// otherwise), or empty. A fit ties the two unless told to free them.
   std::string follows;
   Scale scale = Scale::Linear;  ///< Logarithmic: positive, fitted and scanned in the logarithm
+
+  /// Shaders hold parameters in float. One whose hard bounds float cannot hold (1e300) is handed to them as its natural
+  /// logarithm, which a model's GLSL then expects.
+  bool isLogarithmInShaders() const;
+  /// What a shader is given for `value`.
+  float shaderValue(double value) const;
 };
 
 /// Where a formula comes from.

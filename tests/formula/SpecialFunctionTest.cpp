@@ -70,7 +70,7 @@ constexpr Known kKnown[] = {
 
 TEST(SpecialFunctions, AgreeWithAnotherProgram) {
   for (const Known& known : kKnown) {
-    EXPECT_NEAR(valueOf(known.text), known.value, 4e-16 * std::fabs(known.value)) << known.text;
+    EXPECT_NEAR(valueOf(known.text), known.value, 2e-15 * std::fabs(known.value)) << known.text;
     EXPECT_NEAR(batchValueOf(known.text), known.value, 4e-15 * std::fabs(known.value)) << known.text;
   }
 }
@@ -106,8 +106,8 @@ TEST(SpecialFunctions, SatisfyTheirIdentities) {
   for (const double x : {0.1, 0.7, 3.0, 11.0, 45.0}) {
     const std::string t = std::to_string(x);
     // DLMF 8.4.1, 8.4.5: P(1/2, x^2) = erf x, Q(1, x) = exp(-x); Wronskian 10.28.2: I0 K1 + I1 K0 = 1/x.
-    EXPECT_NEAR(valueOf("gammap(0.5, " + t + "^2) - erf(" + t + ")"), 0, 1e-16);
-    EXPECT_NEAR(valueOf("gammaq(1, " + t + ") * exp(" + t + ")"), 1, 1e-16);
+    EXPECT_NEAR(valueOf("gammap(0.5, " + t + "^2) - erf(" + t + ")"), 0, 1e-15);
+    EXPECT_NEAR(valueOf("gammaq(1, " + t + ") * exp(" + t + ")"), 1, 1e-15);
     EXPECT_NEAR(
         valueOf("(besseli0(" + t + ") * besselk1(" + t + ") + besseli1(" + t + ") * besselk0(" + t + ")) * " + t), 1,
         1e-15);

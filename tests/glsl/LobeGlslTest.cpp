@@ -26,6 +26,12 @@ Sharpness sharpness(const Parameter& p) {
   return p.label == "width" ? Sharpness::Width : Sharpness::None;
 }
 
+/// The value that a shader's rounded number stands for.
+double asShadersGet(const Parameter& p, double value) {
+  const double rounded = static_cast<double>(p.shaderValue(value));
+  return p.isLogarithmInShaders() ? std::exp(rounded) : rounded;
+}
+
 /// The model's parameters with every roughness set to `roughness` (`stretch` times that where a parameter follows
 /// another: across the tangent), the others at their defaults; inside the bounds, and rounded to float as shaders get
 /// them.
@@ -38,7 +44,7 @@ ParameterCase withRoughness(const Model& model, double roughness, double stretch
     if (kind == Sharpness::Roughness) set.values[k] = r;
     if (kind == Sharpness::Exponent) set.values[k] = 2 / (r * r);
     if (kind == Sharpness::Width) set.values[k] = r * r;
-    set.values[k] = static_cast<double>(static_cast<float>(std::clamp(set.values[k], p.minimum, p.maximum)));
+    set.values[k] = asShadersGet(p, std::clamp(set.values[k], p.minimum, p.maximum));
   }
   return set;
 }
@@ -62,14 +68,14 @@ class EveryLobe : public test::GlslTest, public testing::WithParamInterface<std:
   std::vector<vtkBRDFShaderProbe::Column> columns(std::size_t count, const ParameterCase& parameters) const {
     std::vector<vtkBRDFShaderProbe::Column> result;
     for (std::size_t k = 0; k < parameters.values.size(); ++k)
-      result.push_back({"p" + std::to_string(k), std::vector<float>(count, static_cast<float>(parameters.values[k]))});
+      result.push_back({"p" + std::to_string(k),
+                        std::vector<float>(count, model_->parameters()[k].shaderValue(parameters.values[k]))});
     return result;
   }
 
-  /// Worst relative difference of the value and the density over the pairs.
-  void expectAgreement(const ParameterCase& parameters, const CheckPairs& set, double relative) {
-    const std::size_t count = set.size();
-    auto inputs = columns(count, parameters);
+  /// Value and density by the shader.
+  std::vector<std::vector<float>> shaded(const ParameterCase& parameters, const CheckPairs& set) {
+    auto inputs = columns(set.size(), parameters);
     const DirectionPairBuffer<float> narrow = set.narrow();
     const char* const names[] = {"ix", "iy", "iz", "ox", "oy", "oz"};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -78,7 +84,13 @@ class EveryLobe : public test::GlslTest, public testing::WithParamInterface<std:
     }
     const std::string name = "brdf_" + model_->name(),
                       arguments = "(vec3(ix, iy, iz), vec3(ox, oy, oz)" + parameterArguments(*model_) + ")";
-    const auto got = probe().Evaluate(source(), inputs, {name + arguments, name + "_pdf" + arguments});
+    return probe().Evaluate(source(), inputs, {name + arguments, name + "_pdf" + arguments});
+  }
+
+  /// Worst relative difference of the value and the density over the pairs.
+  void expectAgreement(const ParameterCase& parameters, const CheckPairs& set, double relative) {
+    const std::size_t count = set.size();
+    const auto got = shaded(parameters, set);
     std::vector<double> exact(count), density(count);
     model_->evaluate(set.pairs.view(), parameters.values, exact.data());
     model_->pdf(set.pairs.view(), parameters.values, density.data());
@@ -128,17 +140,7 @@ TEST_P(EveryLobe, AgreesToFourDigitsAtRoughnessAHundredth) {
 TEST_P(EveryLobe, IsFiniteAndNotNegativeAtItsSoftBounds) {
   const CheckPairs set = pairsOf(33);
   for (const ParameterCase& parameters : softCases(*model_, 2, 34)) {
-    auto inputs = columns(set.size(), parameters);
-    const DirectionPairBuffer<float> narrow = set.narrow();
-    const char* const names[] = {"ix", "iy", "iz", "ox", "oy", "oz"};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      inputs.push_back({names[axis], narrow.wi[axis]});
-      inputs.push_back({names[3 + axis], narrow.wo[axis]});
-    }
-    const std::string name = "brdf_" + model_->name(),
-                      arguments = "(vec3(ix, iy, iz), vec3(ox, oy, oz)" + parameterArguments(*model_) + ")";
-    const auto got = probe().Evaluate(source(), inputs, {name + arguments, name + "_pdf" + arguments});
-    for (const auto& column : got)
+    for (const auto& column : shaded(parameters, set))
       for (std::size_t k = 0; k < set.size(); ++k)
         ASSERT_TRUE(column[k] >= 0 && std::isfinite(column[k]))
             << parameterText(*model_, parameters.values) << " " << directionText(set.wi(k), set.wo(k)) << ": "
@@ -202,6 +204,45 @@ TEST_P(EveryLobe, DrawsTheSameDirections) {
                   model_->name().c_str(), parameters.name.c_str(), worst, disagreeing);
   }
 }
+
+class PublishedLobe : public EveryLobe {};
+
+TEST_P(PublishedLobe, AgreesWhereAParameterIsBeyondFloat) {
+  // Bagher and others' fits of chrome-steel (G), tungsten-carbide (B), ss440 (G), one channel each: c of 1.6e+109
+  // to 7.9e+91 with exponents of hundreds, whose product is of order 1.
+  const CheckPairs set = pairsOf(36);
+  const char* const names[] = {"alpha", "p", "F0", "F1", "K", "Lambda", "c", "k", "theta0"};
+  const double fits[][9] = {
+      {3.13288e-05, 0.152758, 2.06813e-11, -0.265326, 28628.9, 68.7898, 1.63655e+109, 257.536, 1.2003},
+      {4.80196e-05, 0.26732, 1.09586e-11, -1.0, 16683.5, 6.81602, 6.81451e+92, 218.975, 1.19745},
+      {4.86278e-05, 0.259135, 5.7223e-13, -0.223179, 16625.7, 7.33446, 7.92907e+91, 215.021, 1.20059}};
+  for (const auto& fit : fits) {
+    ParameterCase parameters{model_->defaults(), "published"};
+    for (std::size_t k = 0; k < std::size(names); ++k) {
+      const std::size_t index = model_->parameterIndex(names[k]);
+      parameters.values[index] = asShadersGet(model_->parameters()[index], fit[k]);
+    }
+    EXPECT_GT(parameters.values[model_->parameterIndex("c")], 1e38);
+    // The shadowing factor passes through zero with a slope of k: its error is judged beside the unshadowed value.
+    std::vector<double> lit = parameters.values;
+    lit[model_->parameterIndex("Lambda")] = 0;
+    const std::vector<float> got = shaded(parameters, set)[0];
+    std::vector<double> exact(set.size()), unshadowed(set.size());
+    model_->evaluate(set.pairs.view(), parameters.values, exact.data());
+    model_->evaluate(set.pairs.view(), lit, unshadowed.data());
+    std::size_t shadowed = 0;
+    for (std::size_t k = 0; k < set.size(); ++k) {
+      if (unshadowed[k] < 1e-30) continue;
+      shadowed += exact[k] < 0.9 * unshadowed[k];
+      ASSERT_NEAR(got[k], exact[k], 1e-3 * unshadowed[k])
+          << parameterText(*model_, parameters.values) << " " << directionText(set.wi(k), set.wo(k));
+    }
+    EXPECT_GT(shadowed, 20u);  // the factor does act
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(ShiftedGamma, PublishedLobe, testing::Values("SGD"),
+                         [](const auto& name) { return name.param; });
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryLobe, testing::ValuesIn(test::modelNames()),
                          [](const auto& name) { return name.param; });

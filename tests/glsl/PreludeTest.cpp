@@ -64,7 +64,7 @@ const Function kFunctions[] = {
     {Op::GammaP, "brdf_gammap(x, y)", 0.05, 20, 0, 40, 1e-5, 0},
     {Op::GammaP, "brdf_gammap(x, y)", 0.2, 5, 0, 1, 5e-6, 0},
     {Op::GammaQ, "brdf_gammaq(x, y)", 0.2, 20, 0, 20, 3e-5, 1e-6},
-    {Op::GammaP, "brdf_gammap(x, y)", 20, 300, 0, 300, 2e-5, 0},
+    {Op::GammaP, "brdf_gammap(x, y)", 20, 300, 0, 300, 6e-5, 0},
     {Op::GammaPDa, "brdf_gammapDa(x, y)", 0.2, 20, 0, 20, 0, 2e-3},
     // The driver's own, which the printer uses as they are.
     {Op::Sqrt, "sqrt(x)", 1e-37, 1e38, 0, 0, 2e-7, 0},

@@ -89,5 +89,55 @@ TEST(ClosedForm, SchlicksZenithFactorIsGgxOfTheSquareRoot) {
   EXPECT_NEAR(schlick, 1 / (4 * kPi * 0.04), 1e-12);
 }
 
+TEST(ClosedForm, TheExponentialPowerDistributionOfPowerOneIsBeckmann) {
+  for (const char* f : {"_Constant", "_Schlick", "_Dielectric", "_Conductor"})
+    for (const char* g : {"_Smith", "_VGroove", "_None"})
+      expectSame((std::string("Microfacet_EPD") + f + g + "(beta=0.3, beta_y=0.12, p=1)").c_str(),
+                 (std::string("Microfacet_Beckmann") + f + g + "(alpha=0.3, alpha_y=0.12)").c_str(), 1e-8);
+}
+
+/// Smith's Lambda of an isotropic distribution of slopes at cotangent a, straight from its definition (Heitz 2014,
+/// section 5): (1/a) times the integral of (q - a) over all slopes whose component q toward the viewer exceeds a, by
+/// midpoints in q and across.
+template <class Slopes>
+double smithLambda(double a, double reach, const Slopes& density) {
+  constexpr int count = 1500;
+  const double along = (reach - a) / count, across = reach / count;
+  double sum = 0;
+  for (int i = 0; i < count; ++i) {
+    const double q = a + (i + 0.5) * along;
+    double row = 0;
+    for (int j = 0; j < count; ++j) row += density(std::hypot(q, (j + 0.5) * across));
+    sum += (q - a) * 2 * row;
+  }
+  return sum * along * across / a;
+}
+
+TEST(ClosedForm, SmithsShadowingOfTheExponentialPowerDistributionIsItsIntegral) {
+  for (const double p : {0.45, 0.8, 1.6, 4.0})
+    for (const double degrees : {30.0, 60.0, 80.0}) {
+      const double beta = 0.5, reach = std::pow(30, 0.5 / p);
+      const double a = 1 / (beta * std::tan(radians(degrees)));
+      const auto slopes = [&](double r) { return p / (kPi * std::tgamma(1 / p)) * std::exp(-std::pow(r, 2 * p)); };
+      const double lambda = a < reach ? smithLambda(a, reach, slopes) : 0;
+      // Mirror pair: 4 cos^2 f/D = G = 1/(1 + 2 Lambda) height-correlated; 1/(1 + (1 + c) Lambda) with azimuths pi
+      // apart.
+      const Direction wi = fromSpherical(radians(degrees), 0.4), wo{-wi[0], -wi[1], wi[2]};
+      const double d = p / (kPi * std::tgamma(1 / p) * beta * beta), c = 4.41 * kPi / (4.41 * kPi + 1);
+      const auto shadowing = [&](const std::string& text) {
+        return parseMaterialExpression(text)->evaluate(wi, wo)[0] * 4 * wi[2] * wi[2] / d;
+      };
+      const std::string parameters = "(beta=0.5, p=" + std::to_string(p);
+      EXPECT_NEAR(shadowing("Microfacet_EPD_Constant_Smith" + parameters + ")"), 1 / (1 + 2 * lambda), 3e-5)
+          << p << " " << degrees;
+      // The Fresnel factor alone, from a lobe whose other factors are 1/(pi alpha^2) at the mirror direction.
+      const double fresnel =
+          parseMaterialExpression("Microfacet_GGX_Conductor_None(alpha=0.5, eta=0.2, k=3)")->evaluate(wi, wo)[0] * 4 *
+          wi[2] * wi[2] * kPi * 0.25;
+      EXPECT_NEAR(shadowing("EPD" + parameters + ", eta=0.2, k=3)"), fresnel / (1 + (1 + c) * lambda), 3e-5)
+          << p << " " << degrees;
+    }
+}
+
 }  // namespace
 }  // namespace brdf

@@ -57,6 +57,28 @@ std::string filledIn(std::string expression, const nlohmann::json& parameters) {
   return expression;
 }
 
+/// Our expression for a row's model; the sum of those of its parts for an "Aggregate(A(...), B(...))".
+std::string translated(const std::string& text, const nlohmann::json& mapping) {
+  const std::string name = text.substr(0, text.find('('));
+  if (name != "Aggregate") return filledIn(mapping.at(name), parametersOf(text));
+  std::string result;
+  int depth = 0;
+  std::size_t start = text.find('(') + 1;
+  for (std::size_t k = start; k < text.size(); ++k) {
+    if (text[k] == '(' || text[k] == '[') ++depth;
+    if (depth == 0 && (text[k] == ',' || text[k] == ')')) {
+      result +=
+          (result.empty() ? "" : " + ") + translated(std::string(trimmed(text.substr(start, k - start))), mapping);
+      start = k + 1;
+    }
+    if (text[k] == ')' || text[k] == ']') --depth;
+  }
+  return result;
+}
+
+/// What may be asked beside that program: EPD's shadowing is read there from a table of 3 to 4 digits.
+double toleranceOf(const std::string& name) { return name == "EPD" ? 5e-4 : 1e-9; }
+
 /// Rows where the two programs differ by design: SGD's shadowing and Fresnel terms are clamped at 0 here, as the
 /// model's page says, and left negative there. True when a clamp acts in this row.
 bool clampActs(const nlohmann::json& p, std::size_t channel, const Direction& wi, const Direction& wo) {
@@ -93,14 +115,13 @@ TEST(Reference, ModelsAgreeWithAnIndependentProgram) {
     const std::vector<std::string> row = fields(lines[line]);
     ASSERT_EQ(row.size(), 13u) << "line " << line + 1;
     const std::string name = row[1].substr(0, row[1].find('('));
-    if (!mapping.contains(name)) {
+    if (!mapping.contains(name) && name != "Aggregate") {
       unmapped.insert(name);
       continue;
     }
     used.insert(name);
     if (kTruncated.contains(name)) continue;
-    const nlohmann::json parameters = parametersOf(row[1]);
-    if (row[1] != previous) material = parseMaterialExpression(filledIn(mapping[name], parameters));
+    if (row[1] != previous) material = parseMaterialExpression(translated(row[1], mapping));
     previous = row[1];
     Direction wi, wo;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -108,14 +129,15 @@ TEST(Reference, ModelsAgreeWithAnIndependentProgram) {
     const std::vector<double> values = material->evaluate(wi, wo);
     for (std::size_t channel = 0; channel < 3; ++channel) {
       const double expected = *parseNumber(row[9 + channel]), got = values[values.size() == 1 ? 0 : channel];
-      if (name == "Bagher" && clampActs(parameters, channel, wi, wo)) {
+      if (name == "Bagher" && clampActs(parametersOf(row[1]), channel, wi, wo)) {
         EXPECT_EQ(got, 0) << "line " << line + 1 << ", where a clamp acts";
         ++clamped;
         continue;
       }
       const double size = std::max({std::fabs(expected), std::fabs(got), 1e-290});
-      worst = std::max(worst, std::fabs(got - expected) / size);
-      EXPECT_LE(std::fabs(got - expected), 1e-9 * size)
+      const double tolerance = toleranceOf(name);
+      if (tolerance < 1e-8) worst = std::max(worst, std::fabs(got - expected) / size);
+      EXPECT_LE(std::fabs(got - expected), tolerance * size)
           << row[1] << ", line " << line + 1 << ", channel " << channel << " (" << row[2]
           << "): " << formatNumber(got, 17) << " instead of " << row[9 + channel];
     }
