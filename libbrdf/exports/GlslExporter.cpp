@@ -83,6 +83,11 @@ class Writer {
     return "brdf_" + material_.lobes()[lobe].model->name() + suffix + "(" + inputs + arguments(lobe, channel) + ")";
   }
 
+  /// A hard bound as a reader of the shader meets it.
+  static double bound(const Parameter& parameter, double value) {
+    return parameter.isLogarithmInShaders() ? static_cast<double>(parameter.shaderValue(value)) : value;
+  }
+
   std::string numbers() const {
     const std::string keyword = text_.uniforms ? "uniform " : "const ";
     std::string out;
@@ -95,9 +100,13 @@ class Writer {
       for (std::size_t p = 0; p < lobe.parameters.size(); ++p)
         for (std::size_t c = 0; c < lobe.parameters[p].size(); ++c) {
           const Parameter& parameter = lobe.model->parameters()[p];
-          out += keyword + "float " + parameterName(l, p, c) + " = " + literal(lobe.parameters[p][c]) + ";  // " +
-                 (parameter.label.empty() ? parameter.name : parameter.label) + ", " + formatNumber(parameter.minimum) +
-                 " to " + formatNumber(parameter.maximum) + (parameter.unit == "1" ? "" : " " + parameter.unit) + "\n";
+          out += keyword + "float " + parameterName(l, p, c) + " = " +
+                 literal(parameter.shaderValue(lobe.parameters[p][c])) + ";  // " +
+                 (parameter.isLogarithmInShaders() ? "logarithm of the " : "") +
+                 (parameter.label.empty() ? parameter.name : parameter.label) + ", " +
+                 formatNumber(bound(parameter, parameter.minimum)) + " to " +
+                 formatNumber(bound(parameter, parameter.maximum)) +
+                 (parameter.unit == "1" ? "" : " " + parameter.unit) + "\n";
         }
     }
     return out + "\n";

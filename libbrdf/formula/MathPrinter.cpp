@@ -192,6 +192,13 @@ class Printer {
     if (name == "log" || name == "ln") return either("\\ln", "ln");
     if (name == "lgamma") return either("\\ln\\Gamma", "lnΓ");
     if (name == "digamma") return either("\\psi", "ψ");
+    if (name == "trigamma") return either("\\psi'", "ψ′");
+    if (name == "gammap") return "P";
+    if (name == "gammaq") return "Q";
+    if (name.starts_with("bessel") && name.size() == 8) {
+      const char letter = static_cast<char>(name[6] - 'a' + 'A');
+      return std::string(1, letter) + (name[7] == '0' ? either("_0", "₀") : either("_1", "₁"));
+    }
     static const std::string_view known[] = {"exp", "sin", "cos", "tan", "sinh", "cosh", "tanh", "min", "max"};
     if (std::find(std::begin(known), std::end(known), name) != std::end(known)) return latex_ ? "\\" + name : name;
     if (name == "atan2") return either("\\mathrm{atan2}", "atan2");

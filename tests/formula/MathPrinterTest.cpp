@@ -59,6 +59,8 @@ TEST(MathPrinter, WritesTheLanguagesWordsAsMathematicsDoes) {
   EXPECT_EQ(text("a <= b && !c || 1 != 2 ? a : b"), "[a if a ≤ b and not c or 1 ≠ 2, else b]");
   EXPECT_EQ(latex("atan2(a, b)"), "\\mathrm{atan2}\\left(a,\\,b\\right)");
   EXPECT_EQ(latex("uz"), "\\cos\\theta_i");
+  EXPECT_EQ(text("besselj1(a) + gammaq(a, b)"), "J₁(a) + Q(a, b)");
+  EXPECT_EQ(latex("besselk0(a)"), "K_0\\left(a\\right)");
 }
 
 TEST(MathPrinter, ThrowsOnWhatDoesNotParse) { EXPECT_THROW(text("1 +"), Error); }
