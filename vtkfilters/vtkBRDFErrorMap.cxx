@@ -67,8 +67,9 @@ int vtkBRDFErrorMap::RequestInformation(vtkInformation*, vtkInformationVector**,
 
 int vtkBRDFErrorMap::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ChannelChoice a = brdf::chooseChannels(GetInputBrdf(inputs, 0), this->Channel);
-  const brdf::ChannelChoice b = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel);
+  const brdf::ColourSettings colour = brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
+  const brdf::ChannelChoice a = brdf::chooseChannels(GetInputBrdf(inputs, 0), this->Channel, colour);
+  const brdf::ChannelChoice b = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel, colour);
   brdf::ErrorMapOptions options;
   options.measure = brdf::parseErrorMeasure(this->Measure);
   options.axes = brdf::parseErrorAxes(this->Axes);
@@ -102,6 +103,9 @@ void vtkBRDFErrorMap::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Measure: " << this->Measure << "\n"
      << indent << "Axes: " << this->Axes << "\n"
+     << indent << "Illuminant: " << this->Illuminant << "\n"
+     << indent << "Observer: " << this->Observer << "\n"
+     << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "Channel: " << this->Channel << "\n"
      << indent << "Intervals: " << this->Intervals << "\n"
      << indent << "Azimuths: " << this->Azimuths << "\n"

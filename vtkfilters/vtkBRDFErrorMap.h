@@ -45,6 +45,18 @@ public:
   ///@}
 
   ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
+  ///@}
+
+  ///@{
   /** Intervals from 0 to 90 degrees along each axis, 1 to 1000; default 90. SuggestIntervals gives 45 on a table's
    * samples and 9 on few scattered ones, so that enough of them meet in a point. */
   vtkSetClampMacro(Intervals, int, 1, 1000);
@@ -90,6 +102,9 @@ private:
   std::string Measure = "absolute";
   std::string Axes = "theta_i,theta_o";
   std::string Channel = "luminance";
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
   int Intervals = 90;
   int Azimuths = 36;
   bool OnSamples = true;

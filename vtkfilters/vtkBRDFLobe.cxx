@@ -85,7 +85,8 @@ int vtkBRDFLobe::FillOutputPortInformation(int, vtkInformation* info)
 
 int vtkBRDFLobe::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ChannelChoice choice = brdf::chooseChannels(GetInputBrdf(inputs), this->Channel);
+  const brdf::ChannelChoice choice = brdf::chooseChannels(
+    GetInputBrdf(inputs), this->Channel, brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation }));
   brdf::LobeMeshOptions options;
   options.thetaI = brdf::radians(this->ThetaI);
   options.phiI = brdf::radians(this->PhiI);
@@ -109,5 +110,8 @@ void vtkBRDFLobe::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "Transform: " << this->Transform << "\n"
+     << indent << "Illuminant: " << this->Illuminant << "\n"
+     << indent << "Observer: " << this->Observer << "\n"
+     << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "Channel: " << this->Channel << "\n";
 }

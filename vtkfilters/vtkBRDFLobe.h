@@ -63,6 +63,18 @@ public:
   vtkGetMacro(Channel, std::string);
   ///@}
 
+  ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
+  ///@}
+
   /** The largest length of the last lobe, in the transform's unit. */
   double GetMaximumLength() const { return this->MaximumLength; }
 
@@ -82,6 +94,9 @@ private:
   double Tolerance = 1e-3;
   std::string Transform = "none";
   std::string Channel = "luminance";
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
   double MaximumLength = 0;
 };
 #endif

@@ -179,6 +179,9 @@ double vtkBRDFLobeView::UpdateLobes()
     input.Lobe->SetPhiI(this->PhiI);
     input.Lobe->SetTransform(this->Transform);
     input.Lobe->SetChannel(this->Channel);
+    input.Lobe->SetIlluminant(this->Illuminant);
+    input.Lobe->SetObserver(this->Observer);
+    input.Lobe->SetAdaptation(this->Adaptation);
     input.Lobe->SetResolution(this->Resolution);
     input.Lobe->SetTolerance(this->Tolerance);
     UpdateOrThrow(input.Lobe);
@@ -378,6 +381,9 @@ void vtkBRDFLobeView::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PhiI: " << this->PhiI << " degrees\n"
      << indent << "Transform: " << this->Transform << "\n"
      << indent << "Channel: " << this->Channel << "\n"
+     << indent << "Illuminant: " << this->Illuminant << "\n"
+     << indent << "Observer: " << this->Observer << "\n"
+     << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "Length: " << this->Length << "\n"

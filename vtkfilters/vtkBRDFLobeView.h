@@ -51,6 +51,18 @@ public:
   ///@}
 
   ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
+  ///@}
+
+  ///@{
   /** Length that the disc's rim stands for, in the transform's unit; 0 (default): the largest of all lobes. */
   vtkSetMacro(Length, double);
   vtkGetMacro(Length, double);
@@ -86,6 +98,9 @@ private:
   double PhiI = 0;
   std::string Transform = "none";
   std::string Channel = "luminance";
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
   int Resolution = 5;
   double Tolerance = 1e-3;
   double Length = 0;

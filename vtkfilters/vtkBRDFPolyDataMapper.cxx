@@ -18,6 +18,8 @@
 #include "vtkShaderProgram.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/color/ColourSettings.h>
+#include <brdf/material/ChannelView.h>
 #include <brdf/material/LobeSum.h>
 
 #include <cmath>
@@ -28,6 +30,7 @@ class vtkBRDFPolyDataMapper::Internals
 {
 public:
   std::shared_ptr<const brdf::Brdf> Brdf;
+  brdf::ColourNames Colours;               // that the shader was made with
   std::optional<vtkBRDFShaderText> Shader; // empty where the BRDF cannot be drawn
   vtkTimeStamp StructureTime;              // when the shader's text last changed
 };
@@ -78,12 +81,20 @@ void vtkBRDFPolyDataMapper::UpdateMaterial()
     this->Material->Shader.reset();
     throw brdf::Error(brdf::Error::Kind::Value, { "no BRDF to draw with", {}, {}, {} });
   }
-  if (input->GetBrdf() == this->Material->Brdf && this->Material->Shader)
+  const brdf::ColourNames colours{ this->Illuminant, this->Observer, this->Adaptation };
+  if (input->GetBrdf() == this->Material->Brdf && colours == this->Material->Colours && this->Material->Shader)
   {
     return;
   }
   this->Material->Brdf = input->GetBrdf();
-  const auto* lobes = dynamic_cast<const brdf::LobeSum*>(this->Material->Brdf.get());
+  this->Material->Colours = colours;
+  auto lobes = std::dynamic_pointer_cast<const brdf::LobeSum>(this->Material->Brdf);
+  if (lobes && lobes->channels().kind == brdf::Channels::Kind::Spectral)
+  {
+    // Where it cannot be, the shader says why.
+    const auto seen = brdf::lobesAsRgb(*lobes, brdf::colourSettings(colours));
+    lobes = seen ? seen : lobes;
+  }
   if (!lobes)
   {
     this->Material->Shader.reset();
@@ -309,6 +320,9 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LevelBias: " << this->LevelBias << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
+     << indent << "Illuminant: " << this->Illuminant << "\n"
+     << indent << "Observer: " << this->Observer << "\n"
+     << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "EncodeForDisplay: " << this->EncodeForDisplay << "\n"
      << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n"
      << indent << "ErrorText: " << this->ErrorText << "\n";

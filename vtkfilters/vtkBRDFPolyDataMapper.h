@@ -16,8 +16,9 @@ class vtkShaderProgram;
  * @class vtkBRDFPolyDataMapper
  * @brief Draws poly data with a BRDF under environment, directional and point light
  *
- * Input 0 is the geometry, input 1 the material: a sum of lobes (brdf::LobeSum), monochrome or RGB. Anything else
- * (measured tables, spectral materials) is an error that says so, and nothing is drawn.
+ * Input 0 is the geometry, input 1 the material: a sum of lobes (brdf::LobeSum). A spectral one is drawn in the
+ * colours of its scale factors; where its parameters depend on the wavelength, or a colour lies outside sRGB, and for
+ * measured data, there is an error that says so, and nothing is drawn.
  *
  * What is drawn is outgoing radiance, linear, times 2^Exposure; with EncodeForDisplay it is sRGB-encoded, for the 8-bit
  * windows of interactive programs. The color, opacity aside, and the interpolation of the actor's property are not
@@ -50,6 +51,18 @@ public:
   /** The material: the output of an algorithm, or a free-standing object. */
   void SetBRDFConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBRDFData(vtkBRDF* brdf);
+  ///@}
+
+  ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
   ///@}
 
   ///@{
@@ -134,6 +147,9 @@ private:
   double LevelBias = 0;
   int Seed = 0;
   double Exposure = 0;
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
   bool EncodeForDisplay = false;
   int NumberOfShaderBuilds = 0;
 };

@@ -236,6 +236,9 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   scene.Mapper->SetNumberOfSamples(this->NumberOfSamples);
   scene.Mapper->SetLevelBias(this->LevelBias);
   scene.Mapper->SetExposure(this->Exposure);
+  scene.Mapper->SetIlluminant(this->Illuminant);
+  scene.Mapper->SetObserver(this->Observer);
+  scene.Mapper->SetAdaptation(this->Adaptation);
   // Neighbours a fiftieth of the object apart in depth are different surfaces.
   scene.Pass->DepthStep = this->PlaceCamera(scene.Mapper->GetBounds()) / 50;
 
@@ -330,6 +333,9 @@ void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "LevelBias: " << this->LevelBias << "\n"
      << indent << "EdgeSamples: " << this->EdgeSamples << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
+     << indent << "Illuminant: " << this->Illuminant << "\n"
+     << indent << "Observer: " << this->Observer << "\n"
+     << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "Environment: " << this->Environment << "\n"
      << indent << "Camera: " << this->Camera << "\n"
      << indent << "Background: " << this->Background << "\n"

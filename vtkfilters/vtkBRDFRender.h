@@ -72,6 +72,18 @@ public:
   ///@}
 
   ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
+  ///@}
+
+  ///@{
   /** Light from far away; null (the default) for none. */
   virtual void SetEnvironment(vtkBRDFEnvironment* environment);
   vtkGetObjectMacro(Environment, vtkBRDFEnvironment);
@@ -159,6 +171,9 @@ private:
   double LevelBias = 0;
   int EdgeSamples = 8;
   double Exposure = 0;
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
   int Background = BACKGROUND_ENVIRONMENT;
   double BackgroundBlur = 0;
   double BackgroundColor[3] = { 0, 0, 0 };

@@ -26,11 +26,12 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
   const brdf::Channels& channels = material.channels();
   if (channels.kind == brdf::Channels::Kind::Spectral)
   {
-    throw brdf::Error(brdf::Error::Kind::Value,
-                      { "a spectral material cannot be drawn",
-                        {},
-                        std::to_string(channels.count()) + " wavelengths",
-                        "monochrome, RGB" });
+    throw brdf::Error(
+      brdf::Error::Kind::Value,
+      { "a spectral material whose parameters depend on the wavelength, or with a colour outside sRGB, cannot be drawn",
+        {},
+        std::to_string(channels.count()) + " wavelengths",
+        "monochrome, RGB" });
   }
   const auto& lobes = material.lobes();
   for (std::size_t index = 0; index < lobes.size(); ++index)

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/check/Check.h>
+#include <brdf/color/ColourSettings.h>
 #include <brdf/measured/ReadOptions.h>
 
 #include <array>
@@ -23,6 +24,7 @@ struct LobePicture {
   double thetaI = 45, phiI = 0;  ///< degrees
   std::string transform = "none";
   std::string channel = "luminance";
+  ColourNames colours;
   PictureSize size;
   std::vector<std::string> out;  ///< .png: the picture; .vtp: the mesh of the only material
 };
@@ -33,6 +35,7 @@ struct ErrorPicture {
   std::string measure = "absolute";
   std::string axes = "theta_i,theta_o";
   std::string channel = "luminance";
+  ColourNames colours;
   std::size_t resolution = 0;  ///< cells along each axis; 0: chosen by the number of samples
   PictureSize size;
   std::vector<std::string> out;  ///< .png: the picture; .vti, .exr: the numbers
@@ -51,6 +54,7 @@ struct Light {
 struct RenderPicture {
   std::string material;
   ReadOptions assumptions;
+  ColourNames colours;
   std::string object = "sphere";
   std::vector<Light> lights;
   std::size_t samples = 64;

@@ -1,6 +1,5 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
-#include <brdf/color/Colorimetry.h>
 #include <brdf/exports/Approximation.h>
 #include <brdf/fit/FitData.h>
 #include <brdf/fit/LobeRequests.h>
@@ -111,21 +110,6 @@ std::vector<LobeRequest> requestsFor(std::string_view lobes, const std::vector<s
 BrdfPointer sampledForExport(BrdfPointer material) {
   if (material->samples()) return material;
   return std::make_shared<Sampled>(std::move(material));
-}
-
-std::shared_ptr<const LobeSum> spectralAsRgb(const LobeSum& material) {
-  const std::vector<double> weights = rgbWeights(material.channels().wavelengths);
-  const std::size_t count = material.channels().count();
-  std::vector<Lobe> lobes = material.lobes();
-  for (Lobe& lobe : lobes) {
-    if (!lobe.channelIndependent()) return nullptr;
-    std::vector<double> rgb(3, 0.0);
-    for (std::size_t row = 0; row < 3; ++row)
-      for (std::size_t c = 0; c < count; ++c) rgb[row] += weights[row * count + c] * lobe.scaleOf(c);
-    if (std::ranges::any_of(rgb, [](double s) { return s < 0; })) return nullptr;
-    lobe.scale = lobe.scale.size() == 1 ? lobe.scale : rgb;
-  }
-  return std::make_shared<LobeSum>(std::move(lobes), Channels::rgb());
 }
 
 std::shared_ptr<const LobeSum> fitLobes(const Brdf& target, std::string_view lobes, const FitOptions& options,

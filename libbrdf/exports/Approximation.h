@@ -11,10 +11,6 @@ namespace brdf {
 /// highlight has its share, theta_d and phi_d even; the others even in solid angle over both hemispheres.
 BRDF_EXPORT BrdfPointer sampledForExport(BrdfPointer material);
 
-/// A sum of linear sRGB lobes equal to a spectral one: its scale factors seen as colours, where they do not become
-/// negative and no parameter differs between the wavelengths; else null.
-std::shared_ptr<const LobeSum> spectralAsRgb(const LobeSum& material);
-
 /// The fit of the lobes (parseLobeRequests) to `target`, lobes without weight left out. `hold`: "Lobe.parameter" to a
 /// value, as holdParameter takes it.
 std::shared_ptr<const LobeSum> fitLobes(const Brdf& target, std::string_view lobes, const FitOptions& options,

@@ -92,9 +92,9 @@ ExportResult exportMaterial(const BrdfPointer& material, const Exporter& exporte
   BrdfPointer seen = material;
   auto lobes = std::dynamic_pointer_cast<const LobeSum>(material);
   if (material->channels().kind == Channels::Kind::Spectral && !exporter.spectral) {
-    result.notes.push_back("the spectrum was reduced to linear sRGB under D65");
-    if (lobes) lobes = spectralAsRgb(*lobes);
-    seen = lobes ? lobes : asRgb(material);
+    result.notes.push_back("the spectrum was reduced to linear sRGB under " + describe(options.colour));
+    if (lobes) lobes = lobesAsRgb(*lobes, options.colour);
+    seen = lobes ? lobes : asRgb(material, options.colour);
   }
   result.reason = lobes ? exporter.refusal(*lobes) : "the material is no sum of lobes";
   result.exact = result.reason.empty();

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/color/ColourSettings.h>
 #include <brdf/fit/Fit.h>
 #include <brdf/material/LobeSum.h>
 
@@ -17,6 +18,7 @@ struct ExportOptions {
   bool uniforms = false;          ///< GLSL: parameters and scales are uniforms with these values, not constants
   std::string metric = "log";     ///< that an approximation makes least (metricNames())
   double maximumTheta = 80;       ///< degrees; directions above count neither for the approximation nor for its error
+  ColourSettings colour{};        ///< of spectral materials, where the target takes none
 };
 
 /// How far what the target evaluates is from the material.

@@ -34,7 +34,7 @@ std::vector<std::string> materialFormats() {
 }
 
 WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::path& path, std::string_view format,
-                         const std::string& action) {
+                         const std::string& action, const ColourSettings& colour) {
   const bool byExtension = format.empty();
   const auto known = materialFormats();
   if (!byExtension && std::find(known.begin(), known.end(), format) == known.end())
@@ -56,7 +56,7 @@ WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::
     writeFile(path, writeBrdfLabXml(file));
     return {};
   }
-  return writeMeasured(*material.brdf, material.components, path, format);
+  return writeMeasured(*material.brdf, material.components, path, format, colour);
 }
 
 }  // namespace brdf

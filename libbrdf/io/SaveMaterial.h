@@ -14,9 +14,10 @@ namespace brdf {
 BRDF_EXPORT std::vector<std::string> materialFormats();
 
 /// Writes a material as `loadMaterial` gave it. `format` empty: by the extension of `path`; .xml means "xml" for a sum
-/// of lobes, Radiance's for anything else. `action` goes to the provenance of a container. Throws Error::Kind::Value
-/// where the format cannot hold it.
+/// of lobes, Radiance's for anything else. `action` goes to the provenance of a container, `colour` to writeMeasured.
+/// Throws Error::Kind::Value where the format cannot hold it.
 BRDF_EXPORT WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::path& path,
-                                     std::string_view format, const std::string& action);
+                                     std::string_view format, const std::string& action,
+                                     const ColourSettings& colour = {});
 
 }  // namespace brdf

@@ -1,7 +1,10 @@
 #include <brdf/base/Error.h>
 #include <brdf/color/Colorimetry.h>
 #include <brdf/material/ChannelView.h>
+#include <brdf/material/GridBrdf.h>
+#include <brdf/material/LobeSum.h>
 #include <brdf/material/SampleSet.h>
+#include <brdf/material/TableBrdf.h>
 
 #include <algorithm>
 
@@ -69,19 +72,64 @@ void ChannelView::sample(const std::array<const double*, 3>& wo, const std::arra
 
 void ChannelView::pdf(const DirectionPairs<double>& pairs, double* density) const { source_->pdf(pairs, density); }
 
-BrdfPointer asRgb(BrdfPointer brdf) {
+BrdfPointer asRgb(BrdfPointer brdf, const ColourSettings& settings) {
   const Channels& channels = brdf->channels();
   if (channels.kind == Channels::Kind::Rgb) return brdf;
-  std::vector<double> matrix =
-      channels.kind == Channels::Kind::Spectral ? rgbWeights(channels.wavelengths) : std::vector<double>(3, 1.0);
+  std::vector<double> matrix = channels.kind == Channels::Kind::Spectral ? rgbWeights(channels.wavelengths, settings)
+                                                                         : std::vector<double>(3, 1.0);
   return std::make_shared<ChannelView>(std::move(brdf), Channels::rgb(), std::move(matrix), "linear sRGB");
 }
 
-BrdfPointer asLuminance(BrdfPointer brdf) {
+std::shared_ptr<const LobeSum> lobesAsRgb(const LobeSum& material, const ColourSettings& settings) {
+  const std::vector<double> weights = rgbWeights(material.channels().wavelengths, settings);
+  const std::size_t count = material.channels().count();
+  std::vector<Lobe> lobes = material.lobes();
+  for (Lobe& lobe : lobes) {
+    if (!lobe.channelIndependent()) return nullptr;
+    std::vector<double> rgb(3, 0.0);
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t c = 0; c < count; ++c) rgb[row] += weights[row * count + c] * lobe.scaleOf(c);
+    if (std::ranges::any_of(rgb, [](double s) { return s < 0; })) return nullptr;
+    // One factor for all wavelengths is one for all colours, unless white is not white.
+    if (lobe.scale.size() > 1 || settings.adaptation == Adaptation::None) lobe.scale = std::move(rgb);
+  }
+  return std::make_shared<LobeSum>(std::move(lobes), Channels::rgb());
+}
+
+std::vector<double> inRgb(const std::vector<double>& values, const Channels& channels, const ColourSettings& settings) {
+  const std::vector<double> weights = rgbWeights(channels.wavelengths, settings);
+  const std::size_t count = channels.count(), cells = values.size() / count;
+  std::vector<double> rgb(3 * cells, 0.0);
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t c = 0; c < count; ++c)
+      for (std::size_t i = 0; i < cells; ++i) rgb[row * cells + i] += weights[row * count + c] * values[c * cells + i];
+  return rgb;
+}
+
+BrdfPointer reducedToRgb(BrdfPointer brdf, const ColourSettings& settings) {
+  const Channels& channels = brdf->channels();
+  if (channels.kind != Channels::Kind::Spectral) return brdf;
+  const std::string description = "linear sRGB of (" + brdf->description() + ")";
+  if (const auto* table = dynamic_cast<const TableBrdf*>(brdf.get())) {
+    const TableData& data = table->data();
+    return std::make_shared<TableBrdf>(
+        TableData{data.layout, Channels::rgb(), inRgb(data.values, channels, settings), data.valid}, description,
+        table->lookup(), table->position());
+  }
+  if (const auto* grid = dynamic_cast<const GridBrdf*>(brdf.get())) {
+    const GridData& data = grid->data();
+    return std::make_shared<GridBrdf>(
+        GridData{data.layout, Channels::rgb(), inRgb(data.values, channels, settings), data.states, {}, data.original},
+        description, grid->lookup());
+  }
+  return asRgb(std::move(brdf), settings);
+}
+
+BrdfPointer asLuminance(BrdfPointer brdf, const ColourSettings& settings) {
   const Channels& channels = brdf->channels();
   if (channels.kind == Channels::Kind::Monochrome) return brdf;
   std::vector<double> matrix = channels.kind == Channels::Kind::Spectral
-                                   ? luminanceWeights(channels.wavelengths)
+                                   ? luminanceWeights(channels.wavelengths, settings)
                                    : std::vector<double>(kRgbLuminanceWeights.begin(), kRgbLuminanceWeights.end());
   return std::make_shared<ChannelView>(std::move(brdf), Channels::monochrome(), std::move(matrix), "luminance");
 }

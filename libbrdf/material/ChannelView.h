@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/color/ColourSettings.h>
 #include <brdf/material/Brdf.h>
 
 #include <memory>
@@ -8,6 +9,8 @@
 #include <vector>
 
 namespace brdf {
+
+class LobeSum;
 
 /// Another BRDF seen through other channels: each of its values is a fixed linear combination of the source's.
 /// Directions, symmetry, validity and sampling are the source's; its samples are seen through the same matrix.
@@ -43,13 +46,26 @@ class BRDF_EXPORT ChannelView : public Brdf {
   std::unique_ptr<const SampleSet> samples_;
 };
 
-/// As linear sRGB: spectral through rgbWeights (D65), monochrome as three equal channels; RGB comes back unchanged (the
-/// same pointer). Throws Error::Kind::Value for a spectrum without visible wavelengths.
-BRDF_EXPORT BrdfPointer asRgb(BrdfPointer brdf);
+/// As linear sRGB for display: spectral through rgbWeights under the settings (D65 and the 2-degree observer by
+/// default), monochrome as three equal channels; RGB comes back unchanged (the same pointer). Throws Error::Kind::Value
+/// for a spectrum without visible wavelengths.
+BRDF_EXPORT BrdfPointer asRgb(BrdfPointer brdf, const ColourSettings& settings = {});
 
-/// As one channel of luminance: spectral through luminanceWeights (equal energy), RGB by the weights of ITU-R BT.709;
-/// monochrome comes back unchanged. Throws as asRgb does.
-BRDF_EXPORT BrdfPointer asLuminance(BrdfPointer brdf);
+/// A spectral BRDF as linear sRGB, anything else unchanged. A table or grid stays one, with its cells and their states;
+/// not the standard errors of a grid.
+BRDF_EXPORT BrdfPointer reducedToRgb(BrdfPointer brdf, const ColourSettings& settings = {});
+
+/// Planar values of spectral `channels` as planar linear sRGB.
+BRDF_EXPORT std::vector<double> inRgb(const std::vector<double>& values, const Channels& channels,
+                                      const ColourSettings& settings = {});
+
+/// A sum of linear sRGB lobes equal to a spectral one: its scale factors seen as colours. Null where a lobe's
+/// parameters depend on the wavelength, or a colour lies outside sRGB (lobes have no negative scale).
+BRDF_EXPORT std::shared_ptr<const LobeSum> lobesAsRgb(const LobeSum& material, const ColourSettings& settings = {});
+
+/// As one channel of luminance: spectral through luminanceWeights (under the settings' illuminant, equal energy where
+/// none is set), RGB by the weights of ITU-R BT.709; monochrome comes back unchanged. Throws as asRgb does.
+BRDF_EXPORT BrdfPointer asLuminance(BrdfPointer brdf, const ColourSettings& settings = {});
 
 /// Some of the source's channels, by index, in the order given. One is monochrome unless the source is spectral;
 /// several of an RGB source must be (0, 1, 2), those of a spectral source ascending. Throws Error::Kind::Value

@@ -169,6 +169,7 @@ Format brdfLabTextFormat() {
       "brdflab-text",    "BRDFLab 0.8.2 sparse measurements, text", ".brdflab", recogniseText, readText, writeText,
       scatteredOptions()};
   format.takes.insert(format.takes.end(), {"angles", "colour"});
+  format.coloursOnly = true;
   return format;
 }
 

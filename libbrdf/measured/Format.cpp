@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
+#include <brdf/material/ChannelView.h>
 #include <brdf/measured/BuiltInFormats.h>
 #include <brdf/measured/GridWriting.h>
 #include <brdf/measured/Lint.h>
@@ -157,6 +158,25 @@ WriteReport writeFolder(const Format& format, const Brdf& brdf, std::filesystem:
   }
 }
 
+bool hasSpectra(const Brdf& brdf, const Components& components) {
+  const auto spectral = [](const Channels& channels) { return channels.kind == Channels::Kind::Spectral; };
+  return spectral(brdf.channels()) ||
+         std::ranges::any_of(components.scatter, [&](const auto& part) { return spectral(part.brdf->channels()); }) ||
+         std::ranges::any_of(components.specular, [&](const auto& part) { return spectral(part.channels); });
+}
+
+/// The components with every spectrum seen as a colour.
+Components inColours(Components components, const ColourSettings& colour) {
+  for (ScatterComponent& part : components.scatter)
+    if (part.brdf->channels().kind == Channels::Kind::Spectral) part.brdf = reducedToRgb(part.brdf, colour);
+  for (SpecularComponent& part : components.specular) {
+    if (part.channels.kind != Channels::Kind::Spectral) continue;
+    part.values = inRgb(part.values, part.channels, colour);
+    part.channels = Channels::rgb();
+  }
+  return components;
+}
+
 }  // namespace
 
 std::span<const Format> allFormats() { return registry(); }
@@ -196,12 +216,13 @@ ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& op
   return result;
 }
 
-WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format) {
-  return writeMeasured(brdf, {}, path, format);
+WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format,
+                          const ColourSettings& colour) {
+  return writeMeasured(brdf, {}, path, format, colour);
 }
 
 WriteReport writeMeasured(const Brdf& brdf, const Components& components, const std::filesystem::path& path,
-                          std::string_view format) {
+                          std::string_view format, const ColourSettings& colour) {
   const Format* chosen = nullptr;
   std::vector<std::string> extensions;
   if (!format.empty()) {
@@ -218,6 +239,12 @@ WriteReport writeMeasured(const Brdf& brdf, const Components& components, const 
   }
   if (!chosen->write)
     throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen->name, joined(extensions)});
+  if (chosen->coloursOnly && hasSpectra(brdf, components)) {
+    const BrdfPointer reduced = reducedToRgb(BrdfPointer(BrdfPointer{}, &brdf), colour);
+    WriteReport report = writeMeasured(*reduced, inColours(components, colour), path, chosen->name);
+    report.losses.insert(report.losses.begin(), "spectrum: reduced to linear sRGB under " + describe(colour));
+    return report;
+  }
   const bool whole = chosen->writeMaterial != nullptr;
   WriteReport report;
   if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path))) {

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/color/ColourSettings.h>
 #include <brdf/material/Brdf.h>
 #include <brdf/material/Components.h>
 #include <brdf/measured/ReadOptions.h>
@@ -74,6 +75,8 @@ struct Format {
   /// of one distribution.
   std::function<WriteReport(const Brdf* front, const Components& components, const std::filesystem::path& path)>
       writeMaterial{};
+  /// Holds colours, no spectra: writeMeasured() reduces spectral data to linear sRGB before `write` sees them.
+  bool coloursOnly = false;
 };
 
 /// All formats; ours first, then those registered from outside.
@@ -89,11 +92,12 @@ BRDF_EXPORT const Format& findFormat(std::string_view name);
 BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`. A
-/// format of one file an incidence writes a folder when `path` is an empty one or ends with '/'.
-BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path,
-                                      std::string_view format = {});
+/// format of one file an incidence writes a folder when `path` is an empty one or ends with '/'. `colour`: how spectral
+/// data become colours where the format has no spectra (Format::coloursOnly).
+BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format = {},
+                                      const ColourSettings& colour = {});
 /// The same with the components that came with `brdf` (ReadResult); what the format does not take is a loss.
 BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const Components& components, const std::filesystem::path& path,
-                                      std::string_view format = {});
+                                      std::string_view format = {}, const ColourSettings& colour = {});
 
 }  // namespace brdf

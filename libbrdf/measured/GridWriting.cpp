@@ -95,22 +95,14 @@ std::string degreesText(double angle, double shift) {
   return formatNumber(exact);
 }
 
-std::vector<double> xyzOf(const GridData& data, WriteReport& report) {
-  const std::size_t cells = data.layout.cells(), channelCount = data.channels.count();
+std::vector<double> xyzOf(const GridData& data) {
+  const std::size_t cells = data.layout.cells();
   if (data.channels.kind == Channels::Kind::Monochrome) return data.values;
-  std::vector<double> rgb = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  if (data.channels.kind == Channels::Kind::Spectral) {
-    rgb = rgbWeights(data.channels.wavelengths);
-    report.losses.push_back("spectrum: converted to XYZ under D65");
-  }
   const Matrix3 matrix = linearSrgbToXyz();
   std::vector<double> xyz(3 * cells, 0.0);
   for (std::size_t row = 0; row < 3; ++row)
-    for (std::size_t c = 0; c < channelCount; ++c) {
-      double weight = 0;
-      for (std::size_t k = 0; k < 3; ++k) weight += matrix[row][k] * rgb[k * channelCount + c];
-      for (std::size_t i = 0; i < cells; ++i) xyz[row * cells + i] += weight * data.values[c * cells + i];
-    }
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t i = 0; i < cells; ++i) xyz[row * cells + i] += matrix[row][c] * data.values[c * cells + i];
   return xyz;
 }
 

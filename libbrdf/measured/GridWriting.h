@@ -35,8 +35,8 @@ struct FileAxis {
 /// The shortest number d for which radians(d - shift) is `angle`, or, where none is, the nearest.
 std::string degreesText(double angle, double shift = 0);
 
-/// Planar colours of a grid as XYZ, spectra likewise; one channel as it is. `report` gets the loss of the spectrum.
-std::vector<double> xyzOf(const GridData& data, WriteReport& report);
+/// Planar colours of a grid as XYZ; one channel as it is. For formats of coloursOnly.
+std::vector<double> xyzOf(const GridData& data);
 
 /// The layout on which BRDFs of other kinds are tabulated for formats of the specular parametrisation: incidences to 85
 /// degrees, fine about the mirror direction. `turns`: with azimuths of the light for anisotropic ones.

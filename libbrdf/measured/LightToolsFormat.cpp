@@ -331,7 +331,7 @@ WriteReport write(const Brdf* front, const Components& components, const std::fi
   text += "\nScatterRadial " + std::to_string(radial.size()) + "\n" + radial.text() + "\nDataBegin\n";
   for (std::size_t i = 0; i < grids.size(); ++i) {
     GridData data = grids[i]->data();
-    data.values = xyzOf(grids[i]->data(), report);
+    data.values = xyzOf(grids[i]->data());
     data.standardError.clear();
     if (xyz && data.channels.kind == Channels::Kind::Monochrome) {  // grey: XYZ of the white
       const Matrix3 matrix = linearSrgbToXyz();
@@ -353,6 +353,7 @@ Format lightToolsFormat() {
   Format format{"lighttools", "LightTools BSDF text", ".bsdf", recognise, read, nullptr, gridOptions()};
   format.write = [](const Brdf& brdf, const auto& path) { return write(&brdf, {}, path); };
   format.writeMaterial = write;
+  format.coloursOnly = true;
   return format;
 }
 

@@ -132,8 +132,6 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
 /// `brdf` as a MERL-shaped RGB table: itself where it is one, else resampled.
 std::shared_ptr<const TableBrdf> merlTable(const Brdf& brdf, WriteReport& report) {
   const BrdfPointer borrowed(BrdfPointer{}, &brdf);
-  if (brdf.channels().kind == Channels::Kind::Spectral)
-    report.losses.push_back("spectrum: reduced to linear sRGB under D65");
   if (brdf.symmetry() == Symmetry::Anisotropic)
     report.losses.push_back("anisotropy: only half vectors over the tangent (phi_h = 0) are kept");
   const TableLayout layout{.phiD = brdf.reciprocal() ? 180u : 360u, .reciprocal = brdf.reciprocal()};
@@ -173,6 +171,10 @@ WriteReport write(const Brdf& brdf, const std::filesystem::path& path) {
 
 }  // namespace
 
-Format merlFormat() { return {"merl", "MERL BRDF database, binary", ".binary", recognise, read, write, {"invalid"}}; }
+Format merlFormat() {
+  Format format{"merl", "MERL BRDF database, binary", ".binary", recognise, read, write, {"invalid"}};
+  format.coloursOnly = true;
+  return format;
+}
 
 }  // namespace brdf

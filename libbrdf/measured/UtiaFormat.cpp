@@ -75,8 +75,6 @@ std::vector<double> onGrid(const Brdf& brdf, WriteReport& report) {
   const auto* own = dynamic_cast<const GridBrdf*>(&brdf);
   std::shared_ptr<const GridBrdf> made;
   if (!own || own->layout() != layout() || own->channels().kind != Channels::Kind::Rgb) {
-    if (brdf.channels().kind == Channels::Kind::Spectral)
-      report.losses.push_back("spectrum: reduced to linear sRGB under D65");
     report.losses.push_back("resampled at 15 degrees of theta and 7.5 of phi; nothing beyond theta 75 degrees");
     made = GridBrdf::tabulate(*asRgb(BrdfPointer(BrdfPointer{}, &brdf)), layout());
     own = made.get();
@@ -139,13 +137,17 @@ WriteReport writeExrFile(const Brdf& brdf, const std::filesystem::path& path) {
 }  // namespace
 
 Format utiaFormat() {
-  return {"utia",      "UTIA BRDF database, binary",     ".bin", recogniseBinary, readBinary,
-          writeBinary, {"quantity", "colour", "invalid"}};
+  Format format{"utia",      "UTIA BRDF database, binary",     ".bin", recogniseBinary, readBinary,
+                writeBinary, {"quantity", "colour", "invalid"}};
+  format.coloursOnly = true;
+  return format;
 }
 
 Format utiaExrFormat() {
-  return {"utia-exr",   "UTIA BRDF database, OpenEXR",    ".exr", recogniseExr, readExr,
-          writeExrFile, {"quantity", "colour", "invalid"}};
+  Format format{"utia-exr",   "UTIA BRDF database, OpenEXR",    ".exr", recogniseExr, readExr,
+                writeExrFile, {"quantity", "colour", "invalid"}};
+  format.coloursOnly = true;
+  return format;
 }
 
 }  // namespace brdf

@@ -205,7 +205,7 @@ WriteReport write(const Brdf* front, const Components& components, const std::fi
   const bool xyz = grid->channels().kind != Channels::Kind::Monochrome;
   // As written: the channels are X, Y and Z.
   GridData data = grid->data();
-  data.values = xyzOf(grid->data(), report);
+  data.values = xyzOf(grid->data());
   data.channels = xyz ? Channels::rgb() : Channels::monochrome();
   data.standardError.clear();
   const GridBrdf written(std::move(data), brdf->description());
@@ -240,6 +240,7 @@ Format zemaxFormat() {
   Format format{"zemax", "Zemax tabular BSDF text", ".bsdf", recognise, read, nullptr, gridOptions()};
   format.write = [](const Brdf& brdf, const auto& path) { return write(&brdf, {}, path); };
   format.writeMaterial = write;
+  format.coloursOnly = true;
   return format;
 }
 

@@ -28,10 +28,11 @@ ChannelChoice single(BrdfPointer brdf, std::size_t index) {
 
 }  // namespace
 
-ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice) {
-  if (choice == "luminance") return {asLuminance(std::move(brdf)), {1.0}, "luminance"};
+ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice, const ColourSettings& settings) {
+  if (choice == "luminance") return {asLuminance(std::move(brdf), settings), {1.0}, "luminance"};
   if (choice == "rgb")
-    return {asRgb(std::move(brdf)), {kRgbLuminanceWeights.begin(), kRgbLuminanceWeights.end()}, "linear sRGB"};
+    return {
+        asRgb(std::move(brdf), settings), {kRgbLuminanceWeights.begin(), kRgbLuminanceWeights.end()}, "linear sRGB"};
   const Channels& channels = brdf->channels();
   if (choice.size() > 2 && choice.substr(choice.size() - 2) == "nm") {
     const auto& known = channels.wavelengths;

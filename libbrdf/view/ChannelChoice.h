@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/color/ColourSettings.h>
 #include <brdf/material/Brdf.h>
 
 #include <string_view>
@@ -15,8 +16,9 @@ struct ChannelChoice {
 };
 
 /// `choice` is "luminance", "rgb" (three channels, drawn by their luminance), a channel number from 0, or a wavelength
-/// with its unit such as "550nm" (the nearest one of spectral data, inside their range). Throws Error::Kind::Value
-/// naming what is allowed.
-BRDF_EXPORT ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice);
+/// with its unit such as "550nm" (the nearest one of spectral data, inside their range). Colours and luminance of
+/// spectral data follow `settings`. Throws Error::Kind::Value naming what is allowed.
+BRDF_EXPORT ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice,
+                                         const ColourSettings& settings = {});
 
 }  // namespace brdf

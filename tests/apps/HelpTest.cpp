@@ -50,6 +50,7 @@ TEST_P(Command, TheExampleThatHelpEndsWithRuns) {
   if (draws(GetParam())) GTEST_SKIP() << "this build has no VTK, so nothing draws";
 #endif
   const auto folder = scratchFolder();
+  writeSpectralFiles(folder);  // spectral.csv and spectral.xml, a user's data
   const std::string help = runBrdf(folder, {GetParam(), "--help"}).out;
   const std::size_t start = help.find("Example:\n");
   ASSERT_NE(start, std::string::npos);
@@ -68,6 +69,7 @@ TEST_P(Command, TheExampleThatHelpEndsWithRuns) {
 
 TEST_P(QuietCommand, PrintsNothing) {
   const auto folder = scratchFolder();
+  writeSpectralFiles(folder);
   const std::string help = runBrdf(folder, {GetParam(), "--help"}).out;
   for (const auto line : brdf::split(std::string_view(help).substr(help.find("Example:\n") + 9), '\n')) {
     if (line.empty()) continue;

@@ -1,6 +1,7 @@
 #include "Program.h"
 
 #include <brdf/base/File.h>
+#include <brdf/base/Text.h>
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace fs = std::filesystem;
 
@@ -76,4 +79,24 @@ std::vector<std::string> filesIn(const fs::path& folder) {
     names.push_back(fs::relative(entry.path(), folder).string());
   std::sort(names.begin(), names.end());
   return names;
+}
+
+double redReflectance(double wavelength) { return 0.1 + 0.7 / (1 + std::exp((590 - wavelength) / 12)); }
+
+void writeSpectralFiles(const fs::path& folder) {
+  std::string wavelengths, scales, names, values;
+  for (int channel = 0; channel < 31; ++channel) {
+    const int wavelength = 400 + 10 * channel;
+    wavelengths += (channel > 0 ? " " : "") + std::to_string(wavelength);
+    scales += (channel > 0 ? " " : "") + brdf::formatNumber(redReflectance(wavelength));
+    names += ",value_" + std::to_string(channel);
+    values += "," + brdf::formatNumber(redReflectance(wavelength) / std::numbers::pi);
+  }
+  brdf::writeFile(folder / "spectral.xml", "<material version='1' channels='spectral' wavelengths='" + wavelengths +
+                                               "'><lobe model='Lambertian'><scale>" + scales +
+                                               "</scale></lobe></material>\n");
+  std::string text = "# wavelengths_nm: " + wavelengths + "\n# isotropic\ntheta_i,theta_o,phi_o" + names + "\n";
+  for (const char* angles : {"0,0,0", "0,40,0", "30,30,180", "30,10,90", "30,60,0", "60,60,180", "60,0,0", "60,20,45"})
+    text += angles + values + "\n";
+  brdf::writeFile(folder / "spectral.csv", text);
 }

@@ -28,3 +28,9 @@ std::filesystem::path scratchFolder();
 
 /// Names of all files below `folder`, sorted.
 std::vector<std::string> filesIn(const std::filesystem::path& folder);
+
+/// Writes into `folder` spectral data at 31 wavelengths, 400 to 700 nm: a diffuse red surface of reflectance
+/// redReflectance(), as a sum of lobes (spectral.xml) and as samples (spectral.csv).
+void writeSpectralFiles(const std::filesystem::path& folder);
+/// Of the wavelength in nm.
+double redReflectance(double wavelength);

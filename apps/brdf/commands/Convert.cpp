@@ -1,5 +1,6 @@
 #include "Arguments.h"
 #include "Assumptions.h"
+#include "Colours.h"
 #include "Commands.h"
 #include "FitReportJson.h"
 #include "Output.h"
@@ -26,6 +27,7 @@ constexpr std::size_t kPairsInARegion = 2048;
 
 struct Values {
   std::string in, out, format, fill = "none", grid;
+  ColourNames colours;
 };
 
 /// Fills holes as --fill says; what was done becomes an assumption of the material.
@@ -46,9 +48,9 @@ std::string fillAsAsked(LoadedMaterial& material, const std::string& option) {
 }
 
 /// The original in the channels of what was written, or null when they cannot be compared.
-BrdfPointer inChannelsOf(const Brdf& written, const BrdfPointer& original) {
+BrdfPointer inChannelsOf(const Brdf& written, const BrdfPointer& original, const ColourSettings& colour) {
   if (written.channels() == original->channels()) return original;
-  if (written.channels().kind == Channels::Kind::Rgb) return asRgb(original);
+  if (written.channels().kind == Channels::Kind::Rgb) return asRgb(original, colour);
   if (written.channels().kind == Channels::Kind::Monochrome) return asLuminance(original);
   return nullptr;
 }
@@ -71,6 +73,7 @@ std::string regionTable(const std::vector<RegionError>& errors, Json& json) {
 
 void run(const Output& output, const Values& values) {
   if (std::filesystem::path(values.out).has_filename()) checkWritable(values.out);  // else a folder of files
+  const ColourSettings colour = colourSettings(values.colours);
   LoadedMaterial loaded = loadMaterial(values.in, assumptions());
   const std::string filled = fillAsAsked(loaded, values.fill);
   const BrdfPointer original = loaded.brdf;
@@ -80,7 +83,7 @@ void run(const Output& output, const Values& values) {
     loaded.brdf = std::move(resampled.brdf);
     losses = std::move(resampled.losses);
   }
-  const WriteReport written = saveMaterial(loaded, values.out, values.format, "convert");
+  const WriteReport written = saveMaterial(loaded, values.out, values.format, "convert", colour);
   losses.insert(losses.end(), written.losses.begin(), written.losses.end());
 
   const LoadedMaterial again = loadMaterial(values.out);
@@ -105,7 +108,7 @@ void run(const Output& output, const Values& values) {
     text += "\n  the channels differ, so the round trip is not compared sample by sample";
   }
   // Values in 1/sr at the same directions for every conversion, whatever the samples of either side are.
-  if (const BrdfPointer seen = inChannelsOf(*again.brdf, original)) {
+  if (const BrdfPointer seen = inChannelsOf(*again.brdf, original, colour)) {
     Json regions;
     const std::string table = regionTable(regionErrors(*again.brdf, *seen, kPairsInARegion), regions);
     text += "\n\nRead back, against the original by region of directions (1/sr):\n" + table;
@@ -121,7 +124,8 @@ Command convertCommand() {
   const auto values = std::make_shared<Values>();
   return {"convert", "Write a material in another format",
           "  brdf convert \"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\" red.binary\n"
-          "  brdf convert red.binary red.vtkhdf",
+          "  brdf convert red.binary red.vtkhdf\n"
+          "  brdf convert spectral.csv lamp.binary --illuminant A --observer 10",
           [values](Arguments& arguments) {
             arguments.positional("IN", values->in, "A file, an expression or preset:NAME");
             arguments.positional("OUT", values->out, "The file to write; it is replaced when complete");
@@ -133,6 +137,7 @@ Command convertCommand() {
             arguments.option("--grid", values->grid, "LAYOUT",
                              "Resample first: merl, or spherical, half_difference or specular with a step in degrees "
                              "as in spherical:5");
+            declareColours(arguments, values->colours);
           },
           [values](const Output& output) { run(output, *values); }};
 }

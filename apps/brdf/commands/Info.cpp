@@ -1,10 +1,12 @@
 #include "Arguments.h"
 #include "Assumptions.h"
+#include "Colours.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Quadrature.h"
 
 #include <brdf/base/Text.h>
+#include <brdf/color/Colorimetry.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/material/CellCounts.h>
@@ -126,8 +128,38 @@ void addComponents(const Components& components, TextTable& table, Json& json) {
   json["components"] = list;
 }
 
-void run(const Output& output, const std::string& material) {
-  const LoadedMaterial loaded = loadMaterial(material, assumptions());
+/// What an eye sees of the spectral albedo at normal incidence, under the light asked for.
+void addColour(const Brdf& brdf, const std::vector<double>& albedo, const ColourNames& names,
+               const ColourSettings& settings, TextTable& table, Json& json) {
+  if (brdf.channels().kind != Channels::Kind::Spectral) return;
+  const auto seen = [&](const std::vector<double>& weights) {
+    std::array<double, 3> values{};
+    for (std::size_t row = 0; row < 3; ++row)
+      for (std::size_t c = 0; c < albedo.size(); ++c) values[row] += weights[row * albedo.size() + c] * albedo[c];
+    return values;
+  };
+  const auto xyz = seen(xyzWeights(brdf.channels().wavelengths, settings));
+  const auto rgb = seen(rgbWeights(brdf.channels().wavelengths, settings));
+  const double sum = xyz[0] + xyz[1] + xyz[2];
+  const std::array<double, 2> xy{xyz[0] / sum, xyz[1] / sum};
+  table.row({"colour at 0 deg", "linear sRGB " + formatNumber(rgb[0], 5) + ", " + formatNumber(rgb[1], 5) + ", " +
+                                    formatNumber(rgb[2], 5) + "; Y " + formatNumber(xyz[1], 5) + ", x " +
+                                    formatNumber(xy[0], 4) + ", y " + formatNumber(xy[1], 4) + " under " +
+                                    describe(settings)});
+  json["colour"] = coloursJson(names);
+  json["colour"]["linear_srgb"] = rgb;
+  json["colour"]["xyz"] = xyz;
+  json["colour"]["xy"] = xy;
+}
+
+struct Values {
+  std::string material;
+  ColourNames colours;
+};
+
+void run(const Output& output, const Values& values) {
+  const ColourSettings colour = colourSettings(values.colours);
+  const LoadedMaterial loaded = loadMaterial(values.material, assumptions());
   const Brdf& brdf = *loaded.brdf;
   // Interpolated data cost thousands of times more than a formula, and are not known to four digits.
   const std::size_t points = brdf.samples() ? 1024 : 8192;
@@ -154,6 +186,7 @@ void run(const Output& output, const std::string& material) {
     table.row({"albedo at " + formatNumber(degreesI) + " deg",
                listText(albedo.value) + "  (standard error " + formatNumber(error, 2) + ")"});
     json["albedo"].push_back({{"theta_i", degreesI}, {"value", albedo.value}, {"std_error", albedo.error}});
+    if (degreesI == 0) addColour(brdf, albedo.value, values.colours, colour, table, json);
   }
   const Violations energy = energyViolations(brdf, points / 8);
   table.row({"energy", std::to_string(energy.count) + " of " + std::to_string(energy.tested) +
@@ -173,13 +206,15 @@ void run(const Output& output, const std::string& material) {
 }  // namespace
 
 Command infoCommand() {
-  const auto material = std::make_shared<std::string>();
+  const auto values = std::make_shared<Values>();
   return {"info", "What a material is: format, channels, samples, assumptions, albedo, violations",
-          "  brdf info \"0.3*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\"",
-          [material](Arguments& arguments) {
-            arguments.positional("MATERIAL", *material, "A file, an expression or preset:NAME");
+          "  brdf info \"0.3*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\"\n"
+          "  brdf info spectral.csv --illuminant A",
+          [values](Arguments& arguments) {
+            arguments.positional("MATERIAL", values->material, "A file, an expression or preset:NAME");
+            declareColours(arguments, values->colours);
           },
-          [material](const Output& output) { run(output, *material); }};
+          [values](const Output& output) { run(output, *values); }};
 }
 
 }  // namespace brdf::app

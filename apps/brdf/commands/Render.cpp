@@ -1,5 +1,6 @@
 #include "Arguments.h"
 #include "Assumptions.h"
+#include "Colours.h"
 #include "Commands.h"
 #include "Output.h"
 #include "Pictures.h"
@@ -28,6 +29,7 @@ Light lightOption(const std::string& text) {
 void run(const Output& output, RenderPicture request, const std::vector<std::string>& lights, const std::string& size) {
   request.assumptions = assumptions();
   request.size = sizeOption(size);
+  colourSettings(request.colours);  // says what is wrong before anything is loaded
   for (const std::string& light : lights) request.lights.push_back(lightOption(light));
   checkPictureOutputs(request.out, {".png", ".exr"});
   const auto start = std::chrono::steady_clock::now();
@@ -37,6 +39,7 @@ void run(const Output& output, RenderPicture request, const std::vector<std::str
               number(result.mean) + ", " + formatNumber(seconds, 3) + " s on " + result.device);
   output.report({{"material", request.material},
                  {"object", request.object},
+                 {"colour", coloursJson(request.colours)},
                  {"lights", lights},
                  {"samples", request.samples},
                  {"size", {request.size.width, request.size.height}},
@@ -59,7 +62,8 @@ Command renderCommand() {
   return {
       "render", "Render an object of a material under light",
       "  brdf render \"(0.3,0.1,0.05)*Lambertian + 0.5*GGX(alpha=0.2)\" --light directional:45,0 --out sphere.png "
-      "--out sphere.exr",
+      "--out sphere.exr\n"
+      "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png",
       [values](Arguments& arguments) {
         RenderPicture& request = values->request;
         arguments.positional("MATERIAL", request.material, "A file, an expression or preset:NAME");
@@ -73,6 +77,7 @@ Command renderCommand() {
         arguments.option("--size", values->size, "WxH", "Pixels [512x512]");
         arguments.option("--exposure", request.exposure, {-50, 50}, "STOPS", "Of the .png");
         arguments.choice("--tone", request.toneCurve, {"clamp", "reinhard", "aces"}, "Curve of the .png");
+        declareColours(arguments, request.colours);
         arguments.option("--rotate", request.rotation, {-360, 360}, "DEGREES",
                          "Turn the environment about the vertical");
         arguments.option("--out", request.out, "FILE", "x.png (sRGB) or x.exr (linear radiance); both may be given");

@@ -45,6 +45,7 @@ ErrorResult drawError(const ErrorPicture& request) {
   map->SetMeasure(request.measure);
   map->SetAxes(request.axes);
   map->SetChannel(request.channel);
+  setColours(map, request.colours);
   map->SetIntervals(request.resolution > 0 ? static_cast<int>(request.resolution) : map->SuggestIntervals());
   view->SetIntervals(map->GetIntervals());
   updateOrThrow(map);

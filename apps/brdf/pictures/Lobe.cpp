@@ -20,6 +20,7 @@ void drawLobe(const LobePicture& request) {
   view->SetPhiI(request.phiI);
   view->SetTransform(request.transform);
   view->SetChannel(request.channel);
+  setColours(view.Get(), request.colours);
   for (const std::string& path : request.out) {
     if (path.ends_with(".png")) {
       writeView(view, request.size, path);
@@ -31,6 +32,7 @@ void drawLobe(const LobePicture& request) {
     lobe->SetPhiI(request.phiI);
     lobe->SetTransform(request.transform);
     lobe->SetChannel(request.channel);
+    setColours(lobe.Get(), request.colours);
     updateOrThrow(lobe);
     writeVtk<vtkXMLPolyDataWriter>(lobe->GetOutput(), path);
   }

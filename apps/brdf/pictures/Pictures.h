@@ -32,6 +32,14 @@ void updateOrThrow(vtkBRDFAlgorithm* algorithm);
 /// Writes the view's picture; throws brdf::Error with the view's reason when it cannot be made.
 void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& path);
 
+/// What every filter that shows colours has.
+template <class Filter>
+void setColours(Filter* filter, const ColourNames& colours) {
+  filter->SetIlluminant(colours.illuminant);
+  filter->SetObserver(colours.observer);
+  filter->SetAdaptation(colours.adaptation);
+}
+
 /// Writes `data` with a writer of VTK's, replacing `path` when it is complete.
 template <class Writer, class Data>
 void writeVtk(Data* data, const std::string& path) {

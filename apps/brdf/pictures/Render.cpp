@@ -108,6 +108,7 @@ RenderResult drawRender(const RenderPicture& request) {
   for (const Light& light : request.lights) addLight(render, light, request.rotation);
   render->SetSize(static_cast<int>(request.size.width), static_cast<int>(request.size.height));
   render->SetNumberOfSamples(static_cast<int>(request.samples));
+  setColours(render.Get(), request.colours);
   updateOrThrow(render);
   vtkImageData* radiance = render->GetOutput();
   for (const std::string& path : request.out)
