@@ -108,14 +108,15 @@ TEST(ColourSettings, UnadaptedWhiteHasTheIlluminantsColour) {
 }
 
 TEST(ColourSettings, WhitePointsAreThePublishedTristimulusValues) {
-  // ASTM E308-01: X and Z of a perfect white, there for Y = 100, from finer tables over a longer range.
+  // ASTM E308-01: X and Z of a perfect white, there for Y = 100, from finer tables over a longer range; ours
+  // of D65 and 2 degrees is that of sRGB, whose chromaticity has four digits.
   const struct {
     const char* name;
     Observer observer;
     double x, z, tolerance;
   } published[] = {
       {"A", Observer::Cie1931, 1.09850, 0.35585, 5e-5},   {"D50", Observer::Cie1931, 0.96422, 0.82521, 1e-4},
-      {"D55", Observer::Cie1931, 0.95682, 0.92149, 2e-4}, {"D65", Observer::Cie1931, 0.95047, 1.08883, 2e-4},
+      {"D55", Observer::Cie1931, 0.95682, 0.92149, 2e-4}, {"D65", Observer::Cie1931, 0.95047, 1.08883, 3e-4},
       {"D75", Observer::Cie1931, 0.94972, 1.22638, 3e-4}, {"F2", Observer::Cie1931, 0.99186, 0.67393, 2e-5},
       {"F7", Observer::Cie1931, 0.95041, 1.08747, 3e-5},  {"F11", Observer::Cie1931, 1.00962, 0.64350, 2e-5},
       {"A", Observer::Cie1964, 1.11144, 0.35200, 1e-5},   {"D65", Observer::Cie1964, 0.94811, 1.07304, 3e-4},

@@ -46,7 +46,7 @@ TEST(ModelReference, IsTheSameOnEveryInstructionSet) {
 }
 
 TEST(ModelReference, LinksLeadSomewhere) {
-  std::set<std::string> pages{"formula-language.md", "own-lobes.md", "checks.md"};
+  std::set<std::string> pages{"formula-language.md", "own-lobes.md", "checks.md", "colour.md"};
   for (const auto& [path, text] : reference()) pages.insert(path);
   for (const std::string& path : pages) {
     const std::string page = readFile(docs() / path);

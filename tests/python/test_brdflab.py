@@ -80,6 +80,28 @@ class Pipeline(unittest.TestCase):
         points = vtk_to_numpy(lobe.GetOutput().GetPoints().GetData())
         np.testing.assert_allclose(np.linalg.norm(points, axis=1), math.pi ** (-1 / 3), rtol=1e-14)
 
+    def test_spectra_are_seen_under_the_light_asked_for(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "red.xml")
+            with open(path, "w") as file:
+                file.write(
+                    "<material version='1' channels='spectral' wavelengths='450 550 650'>"
+                    "<lobe model='Lambertian'><scale>0.1 0.2 0.8</scale></lobe></material>"
+                )
+            red = source(path)
+        lobe = brdflab.vtkBRDFLobe()
+        lobe.SetInputConnection(red.GetOutputPort())
+        lobe.SetChannel("rgb")
+        lobe.Update()
+        daylight = np.array(lobe.GetOutput().GetPointData().GetArray("value").GetTuple(0))
+        lobe.SetIlluminant("A")
+        lobe.SetObserver("10")
+        lobe.SetAdaptation("bradford")
+        lobe.Update()
+        self.assertEqual(lobe.GetErrorText(), "")
+        lamp = np.array(lobe.GetOutput().GetPointData().GetArray("value").GetTuple(0))
+        self.assertGreater(lamp[0], 1.05 * daylight[0])
+
     def test_table_is_a_numpy_volume(self):
         table = brdflab.vtkBRDFTabulate()
         lambertian = source("Lambertian")

@@ -1,6 +1,8 @@
 // Light without an environment map, and what holds for every light: against the core in double, pixel by pixel.
 #include "RenderScene.h"
 
+#include <brdf/color/ColourSettings.h>
+#include <brdf/material/ChannelView.h>
 #include <brdf/material/SampleSet.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
@@ -130,6 +132,34 @@ TEST_F(Render, SweepingAParameterNeverCompiles) {
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
   draw("GGX(alpha=0.1)");
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 2) << "another structure compiles once";
+}
+
+TEST_F(Render, ASpectralMaterialHasItsColourUnderTheLightAskedFor) {
+  const auto channels = brdf::Channels::spectral({450, 500, 550, 600, 650});
+  material_ = brdf::parseMaterialExpression("(0.2,0.2,0.3,0.5,0.6)*Lambertian", channels);
+  vtkNew<vtkBRDF> input;
+  input->SetBrdf(material_);
+  render_->SetInputData(input);
+  render_->AddDirectionalLight(90, 0, kPi, kPi, kPi);  // from +z, where the camera is
+  for (const char* illuminant : {"", "A", "F11"}) {
+    render_->SetIlluminant(illuminant);
+    render_->Update();
+    ASSERT_EQ(render_->GetErrorText(), "");
+    const auto seen = brdf::asRgb(material_, brdf::colourSettings({illuminant, "2", "bradford"}));
+    const auto expected = seen->evaluate({0, 0, 1}, {0, 0, 1});
+    const Rgb rgb = pixel(32, 32);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+      EXPECT_NEAR(rgb[channel], kPi * expected[channel], 5e-3 * kPi * expected[channel]) << illuminant;
+  }
+}
+
+TEST_F(Render, ASpectralMaterialWhoseShapeDependsOnTheWavelengthIsAnError) {
+  vtkNew<vtkBRDF> input;
+  input->SetBrdf(brdf::parseMaterialExpression("GGX(alpha=(0.1,0.2,0.3))", brdf::Channels::spectral({450, 550, 650})));
+  render_->SetInputData(input);
+  render_->Update();
+  EXPECT_NE(render_->GetErrorText().find("depend on the wavelength"), std::string::npos) << render_->GetErrorText();
+  takeMessages();
 }
 
 TEST_F(Render, AMaterialThatIsNoSumOfLobesIsAnErrorThatSaysSo) {

@@ -2,6 +2,8 @@
 
 #include <brdf/base/File.h>
 #include <brdf/geometry/Directions.h>
+#include <brdf/material/ChannelView.h>
+#include <brdf/material/LobeSum.h>
 #include <brdf/material/TableBrdf.h>
 
 #include <gtest/gtest.h>
@@ -21,6 +23,8 @@
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
+#include <cmath>
 #include <filesystem>
 
 namespace brdf {
@@ -250,6 +254,64 @@ TEST(Pipeline, ErrorMapIsAnImageInDegrees) {
   EXPECT_NEAR(range[1], 0.5 / kPi, 1e-15);
   EXPECT_NEAR(map->GetOverallMean(), 0.5 / kPi, 1e-14);
   EXPECT_EQ(map->SuggestIntervals(), 90);
+}
+
+/// Diffuse, reflecting red light: a sum of lobes at 31 wavelengths.
+std::shared_ptr<const LobeSum> spectralRed() {
+  std::vector<double> wavelengths;
+  Lobe lobe = parseMaterialExpression("Lambertian")->lobes().front();
+  lobe.scale.clear();
+  for (int i = 0; i < 31; ++i) {
+    wavelengths.push_back(400 + 10 * i);
+    lobe.scale.push_back(0.1 + 0.7 / (1 + std::exp((590 - wavelengths.back()) / 12)));
+  }
+  return std::make_shared<LobeSum>(std::vector<Lobe>{lobe}, Channels::spectral(wavelengths));
+}
+
+TEST(Pipeline, LobesAndErrorMapsShowSpectraUnderTheLightAskedFor) {
+  vtkNew<vtkBRDF> red;
+  red->SetBrdf(spectralRed());
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->SetInputDataObject(red);
+  lobe->SetChannel("rgb");
+  const auto first = [&] {
+    lobe->Update();
+    EXPECT_EQ(lobe->GetErrorText(), "");
+    double rgb[3];
+    lobe->GetOutput()->GetPointData()->GetArray("value")->GetTuple(0, rgb);
+    return std::array<double, 3>{rgb[0], rgb[1], rgb[2]};
+  };
+  const auto expected = [&](const ColourNames& names) {
+    return asRgb(spectralRed(), colourSettings(names))->evaluate(fromSpherical(0.5, 0), fromSpherical(0.5, 1));
+  };
+  const auto daylight = first();
+  lobe->SetIlluminant("A");
+  lobe->SetObserver("10");
+  const auto lamp = first();
+  lobe->SetAdaptation("none");
+  const auto bare = first();
+  for (std::size_t c = 0; c < 3; ++c) {
+    EXPECT_NEAR(daylight[c], expected({})[c], 1e-12);
+    EXPECT_NEAR(lamp[c], expected({"A", "10", "bradford"})[c], 1e-12);
+    EXPECT_NEAR(bare[c], expected({"A", "10", "none"})[c], 1e-12);
+  }
+  EXPECT_GT(lamp[0], 1.05 * daylight[0]);
+
+  vtkNew<vtkBRDFSource> black;
+  black->SetMaterial("0*Lambertian");
+  vtkNew<vtkBRDFErrorMap> map;
+  map->SetInputDataObject(0, red);
+  map->SetInputConnection(1, black->GetOutputPort());
+  map->SetIntervals(9);
+  map->SetIlluminant("A");
+  map->Update();
+  const auto luminance = asLuminance(spectralRed(), colourSettings({"A", "2", "bradford"}));
+  EXPECT_NEAR(map->GetOverallMean(), luminance->evaluate(fromSpherical(0.5, 0), fromSpherical(0.5, 1))[0], 1e-12);
+
+  ExpectErrors quiet;
+  map->SetIlluminant("lamp");
+  map->Update();
+  EXPECT_NE(map->GetErrorText().find("D65"), std::string::npos) << map->GetErrorText();
 }
 
 TEST(Pipeline, ReaderTellsWhatTheFileHolds) {
