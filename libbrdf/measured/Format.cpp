@@ -239,13 +239,13 @@ WriteReport writeMeasured(const Brdf& brdf, const Components& components, const 
   }
   if (!chosen->write)
     throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen->name, joined(extensions)});
-  if (chosen->coloursOnly && hasSpectra(brdf, components)) {
+  const bool whole = chosen->writeMaterial != nullptr;
+  if (chosen->coloursOnly && hasSpectra(brdf, whole ? components : Components{})) {
     const BrdfPointer reduced = reducedToRgb(BrdfPointer(BrdfPointer{}, &brdf), colour);
     WriteReport report = writeMeasured(*reduced, inColours(components, colour), path, chosen->name);
     report.losses.insert(report.losses.begin(), "spectrum: reduced to linear sRGB under " + describe(colour));
     return report;
   }
-  const bool whole = chosen->writeMaterial != nullptr;
   WriteReport report;
   if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path))) {
     report = writeFolder(*chosen, brdf, path);

@@ -99,7 +99,9 @@ TEST(ChannelView, ColoursFollowTheSettings) {
 
 TEST(ChannelView, ReducedTablesKeepTheirCells) {
   brdf::TableData data;
-  data.layout = {.thetaH = 3, .thetaD = 3, .phiD = 4};
+  data.layout.thetaH = 3;
+  data.layout.thetaD = 3;
+  data.layout.phiD = 4;
   data.channels = Channels::spectral({450, 550, 650});
   const std::size_t cells = data.layout.cells();
   for (std::size_t i = 0; i < 3 * cells; ++i) data.values.push_back(0.1 + 0.01 * static_cast<double>(i));

@@ -13,6 +13,7 @@
 #include <brdf/material/SampleSet.h>
 #include <brdf/sampling/DirectionalAlbedo.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -131,25 +132,29 @@ void addComponents(const Components& components, TextTable& table, Json& json) {
 /// What an eye sees of the spectral albedo at normal incidence, under the light asked for.
 void addColour(const Brdf& brdf, const std::vector<double>& albedo, const ColourNames& names,
                const ColourSettings& settings, TextTable& table, Json& json) {
-  if (brdf.channels().kind != Channels::Kind::Spectral) return;
+  const auto& wavelengths = brdf.channels().wavelengths;
+  if (std::ranges::none_of(wavelengths, [](double w) { return w >= 380 && w <= 780; }))
+    return;  // no spectrum, or unseen
   const auto seen = [&](const std::vector<double>& weights) {
     std::array<double, 3> values{};
     for (std::size_t row = 0; row < 3; ++row)
       for (std::size_t c = 0; c < albedo.size(); ++c) values[row] += weights[row * albedo.size() + c] * albedo[c];
     return values;
   };
-  const auto xyz = seen(xyzWeights(brdf.channels().wavelengths, settings));
-  const auto rgb = seen(rgbWeights(brdf.channels().wavelengths, settings));
-  const double sum = xyz[0] + xyz[1] + xyz[2];
-  const std::array<double, 2> xy{xyz[0] / sum, xyz[1] / sum};
-  table.row({"colour at 0 deg", "linear sRGB " + formatNumber(rgb[0], 5) + ", " + formatNumber(rgb[1], 5) + ", " +
-                                    formatNumber(rgb[2], 5) + "; Y " + formatNumber(xyz[1], 5) + ", x " +
-                                    formatNumber(xy[0], 4) + ", y " + formatNumber(xy[1], 4) + " under " +
-                                    describe(settings)});
+  const auto xyz = seen(xyzWeights(wavelengths, settings));
+  const auto rgb = seen(rgbWeights(wavelengths, settings));
+  const auto list = [](const std::array<double, 3>& v) {
+    return formatNumber(v[0], 5) + ", " + formatNumber(v[1], 5) + ", " + formatNumber(v[2], 5);
+  };
+  std::string text = "linear sRGB " + list(rgb) + "; XYZ " + list(xyz);
   json["colour"] = coloursJson(names);
   json["colour"]["linear_srgb"] = rgb;
   json["colour"]["xyz"] = xyz;
-  json["colour"]["xy"] = xy;
+  if (const double sum = xyz[0] + xyz[1] + xyz[2]; sum > 0) {
+    json["colour"]["xy"] = {xyz[0] / sum, xyz[1] / sum};
+    text += "; x, y " + formatNumber(xyz[0] / sum, 4) + ", " + formatNumber(xyz[1] / sum, 4);
+  }
+  table.row({"colour at 0 deg", text + "; under " + describe(settings)});
 }
 
 struct Values {
