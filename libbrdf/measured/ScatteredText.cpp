@@ -134,8 +134,6 @@ ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report) {
 
 ScatteredSamples collectRgbSamples(const Brdf& brdf, WriteReport& report) {
   const BrdfPointer borrowed(BrdfPointer{}, &brdf);
-  if (brdf.channels().kind == Channels::Kind::Spectral)
-    report.losses.push_back("spectrum: reduced to linear sRGB under D65");
   return collectSamples(*asRgb(borrowed), report);
 }
 

@@ -27,7 +27,7 @@ ReadResult finishScattered(ScatteredSamples samples, const std::filesystem::path
 /// The valid samples of `brdf` for a file of scattered samples: its own, or else a grid. What is lost goes to `report`.
 ScatteredSamples collectSamples(const Brdf& brdf, WriteReport& report);
 
-/// The same as linear sRGB, or as luminance: what that loses goes to `report` too.
+/// The same as linear sRGB (for formats of coloursOnly), or as luminance: what the latter loses goes to `report` too.
 ScatteredSamples collectRgbSamples(const Brdf& brdf, WriteReport& report);
 ScatteredSamples collectLuminanceSamples(const Brdf& brdf, WriteReport& report);
 
