@@ -361,6 +361,7 @@ Format format(const char* name, const char* title, RadianceWriteOptions::Structu
                                      const std::filesystem::path& path) {
     return writeRadiance(front, components, path, {.structure = structure});
   };
+  result.coloursOnly = true;
   return result;
 }
 

@@ -81,6 +81,18 @@ TEST(Spectral, ConvertingToColoursFollowsTheIlluminant) {
   EXPECT_GT(redUnderA()[0] - redUnderD65()[0], 0.05);
 }
 
+TEST(Spectral, EveryFormatOfColoursFollowsTheIlluminant) {
+  const auto folder = scratchFolder();
+  writeSpectralFiles(folder);
+  for (const char* format : {"utia", "zemax", "lighttools", "radiance"}) {
+    const std::string file = std::string("lamp.") + format;
+    const json report = reportOf(folder, {"convert", "spectral.xml", file, "--format", format, "--illuminant", "A"});
+    EXPECT_EQ(report["losses"][0], "spectrum: reduced to linear sRGB under A, adapted to D65 (Bradford)") << format;
+    SCOPED_TRACE(format);
+    expectColour(diffuseColour(folder, file), redUnderA());
+  }
+}
+
 TEST(Spectral, InfoSaysTheColourUnderTheLightAskedFor) {
   const auto folder = scratchFolder();
   writeSpectralFiles(folder);
