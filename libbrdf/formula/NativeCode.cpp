@@ -26,8 +26,8 @@ template void writeNativeConstants(double*);
 
 template <class T>
 struct NativeCode<T>::Code {
-  std::unique_ptr<NativeEmitter<T>> emitter;  // owns the memory of the code
-  typename NativeEmitter<T>::Function function;
+  std::unique_ptr<NativeEmitter<T>> emitter, streamingEmitter;  // own the memory of the code
+  typename NativeEmitter<T>::Function function, streaming;
   std::size_t width;
 };
 
@@ -36,8 +36,10 @@ std::unique_ptr<const NativeCode<T>> NativeCode<T>::make(const Program& program,
   if (set.vectorBytes == 0 || !program.straight()) return nullptr;
   try {
     auto code = std::make_unique<Code>();
-    code->emitter = std::make_unique<NativeEmitter<T>>(program, set);
+    code->emitter = std::make_unique<NativeEmitter<T>>(program, set, false);
     code->function = code->emitter->finish();
+    code->streamingEmitter = std::make_unique<NativeEmitter<T>>(program, set, true);
+    code->streaming = code->streamingEmitter->finish();
     code->width = set.vectorBytes / sizeof(T);
     return std::unique_ptr<const NativeCode>(new NativeCode(std::move(code)));
   } catch (const Xbyak::Error&) {
@@ -53,6 +55,12 @@ std::size_t NativeCode<T>::width() const {
 template <class T>
 void NativeCode<T>::run(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t count) const {
   code_->function(inputs, outputs, uniforms, count * sizeof(T));
+}
+
+template <class T>
+void NativeCode<T>::runStreaming(const T* const* inputs, T* const* outputs, const T* uniforms,
+                                 std::size_t count) const {
+  code_->streaming(inputs, outputs, uniforms, count * sizeof(T));
 }
 
 #else
@@ -72,6 +80,8 @@ std::size_t NativeCode<T>::width() const {
 
 template <class T>
 void NativeCode<T>::run(const T* const*, T* const*, const T*, std::size_t) const {}
+template <class T>
+void NativeCode<T>::runStreaming(const T* const*, T* const*, const T*, std::size_t) const {}
 
 #endif
 

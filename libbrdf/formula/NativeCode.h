@@ -23,6 +23,9 @@ class NativeCode {
   /// Runs over `count` lanes, a multiple of width(). `uniforms` has kNativeConstants numbers more behind the program's
   /// (nativeConstants()).
   void run(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t count) const;
+  /// The same for outputs that do not fit in the caches: they are written without being read into them first. Outputs
+  /// are aligned to whole vectors, and none is an operand (Program::readsOutputs()).
+  void runStreaming(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t count) const;
 
  private:
   struct Code;

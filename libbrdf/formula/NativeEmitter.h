@@ -16,10 +16,12 @@ class NativeEmitter : private Xbyak::CodeGenerator {
  public:
   using Function = void (*)(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t bytes);
 
-  NativeEmitter(const Program& program, const KernelSet& set)
+  /// `streaming`: outputs, aligned to whole vectors, go to memory past the caches.
+  NativeEmitter(const Program& program, const KernelSet& set, bool streaming)
       : Xbyak::CodeGenerator(4096, Xbyak::AutoGrow),
         program_(program),
         set_(set),
+        streaming_(streaming),
         wide_(set.vectorBytes == 64),
         constants_(program.uniforms_.size()) {
     findLive();
@@ -106,7 +108,14 @@ class NativeEmitter : private Xbyak::CodeGenerator {
   void into(const ProgramOperand& target, const Make& make) {
     if (inRegister(target)) return make(registerOf(target));
     make(vector(5));
-    vmovups(memory(target), vector(5));
+    store(target, vector(5));
+  }
+  /// To an output or a spilled register.
+  void store(const ProgramOperand& target, const Vector& from) {
+    if (streaming_ && target.place == Place::Output)
+      vmovntps(memory(target), from);
+    else
+      vmovups(memory(target), from);
   }
 
   // ----- operations --------------------------------------------------------------------------------------------
@@ -310,7 +319,7 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     if (inRegister(target))
       vmovaps(registerOf(target), from);
     else
-      vmovups(memory(target), from);
+      store(target, from);
   }
 
   /// Where k1 does not hold for every lane, does `other`, out of the way of those who need it not.
@@ -426,6 +435,7 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     cmp(r13, r14);
     jb(next, T_NEAR);
     L(done);
+    if (streaming_) sfence();
     mov(rsp, r15);
     for (std::size_t k = std::size(saved); k-- > 0;) pop(saved[k]);
     vzeroupper();
@@ -444,7 +454,7 @@ class NativeEmitter : private Xbyak::CodeGenerator {
 
   const Program& program_;
   const KernelSet& set_;
-  bool wide_;
+  bool streaming_, wide_;
   std::size_t constants_;
   std::vector<std::vector<bool>> liveAfter_;
   std::vector<Detour> detours_;

@@ -151,28 +151,57 @@ const T* Program::uniformValues(std::span<const double> parameters) const {
   return uniforms;
 }
 
+bool Program::readsOutputs() const {
+  for (const Instruction& instruction : instructions_)
+    for (const Operand& operand : instruction.operands)
+      if (operand.place == Place::Output) return true;
+  return false;
+}
+
 template <class T>
 void Program::runNative(const NativeCode<T>& code, const T* const* inputs, const T* uniforms, T* const* outputs,
                         std::size_t count) const {
   constexpr std::size_t inputCount = static_cast<std::size_t>(Input::Count);
-  const std::size_t width = code.width(), whole = count / width * width, rest = count - whole;
-  if (whole > 0) code.run(inputs, outputs, uniforms, whole);
-  if (rest == 0) return;
-  // The rest, padded by repeating the last lane.
-  T* padded = scratch<T, 0>((inputCount + outputCount_) * width);
-  const T* in[inputCount] = {};
-  for (std::size_t k = 0; k < inputCount; ++k) {
-    if (!reads_[k]) continue;
-    T* lanes = padded + k * width;
-    std::copy_n(inputs[k] + whole, rest, lanes);
-    std::fill(lanes + rest, lanes + width, lanes[rest - 1]);
-    in[k] = lanes;
-  }
+  const std::size_t width = code.width();
   thread_local std::vector<T*> out;
   out.resize(outputCount_);
-  for (std::size_t k = 0; k < outputCount_; ++k) out[k] = padded + (inputCount + k) * width;
-  code.run(in, out.data(), uniforms, width);
-  for (std::size_t k = 0; k < outputCount_; ++k) std::copy_n(out[k], rest, outputs[k] + whole);
+  // Lanes first .. first + length - 1, fewer than a vector, padded by repeating the last one.
+  const auto runPart = [&](std::size_t first, std::size_t length) {
+    if (length == 0) return;
+    T* padded = scratch<T, 0>((inputCount + outputCount_) * width);
+    const T* in[inputCount] = {};
+    for (std::size_t k = 0; k < inputCount; ++k) {
+      if (!reads_[k]) continue;
+      T* lanes = padded + k * width;
+      std::copy_n(inputs[k] + first, length, lanes);
+      std::fill(lanes + length, lanes + width, lanes[length - 1]);
+      in[k] = lanes;
+    }
+    for (std::size_t k = 0; k < outputCount_; ++k) out[k] = padded + (inputCount + k) * width;
+    code.run(in, out.data(), uniforms, width);
+    for (std::size_t k = 0; k < outputCount_; ++k) std::copy_n(out[k], length, outputs[k] + first);
+  };
+
+  // Outputs larger than the caches bypass them, from the first lane at which all are aligned to whole vectors.
+  constexpr std::size_t large = std::size_t{4} << 20;  // bytes
+  const auto misaligned = [&](std::size_t k) {
+    return reinterpret_cast<std::uintptr_t>(outputs[k]) / sizeof(T) % width;
+  };
+  bool streaming = count * outputCount_ * sizeof(T) >= large && !readsOutputs();
+  for (std::size_t k = 1; k < outputCount_ && streaming; ++k) streaming = misaligned(k) == misaligned(0);
+  if (!streaming) {
+    const std::size_t whole = count / width * width;
+    if (whole > 0) code.run(inputs, outputs, uniforms, whole);
+    return runPart(whole, count - whole);
+  }
+  const std::size_t begin = (width - misaligned(0)) % width, whole = (count - begin) / width * width;
+  runPart(0, begin);
+  const T* in[inputCount] = {};
+  for (std::size_t k = 0; k < inputCount; ++k)
+    if (reads_[k]) in[k] = inputs[k] + begin;
+  for (std::size_t k = 0; k < outputCount_; ++k) out[k] = outputs[k] + begin;
+  code.runStreaming(in, out.data(), uniforms, whole);
+  runPart(begin + whole, count - begin - whole);
 }
 
 template <class T>

@@ -35,6 +35,8 @@ class BRDF_EXPORT Program {
   std::size_t registerCount() const { return registerCount_; }
   /// Whether every lane goes the same way: no loops, no tables.
   bool straight() const { return loops_.empty() && tables_.empty(); }
+  /// Whether an instruction reads an output again.
+  bool readsOutputs() const;
   bool reads(Input input) const { return reads_[static_cast<std::size_t>(input)]; }
 
  private:

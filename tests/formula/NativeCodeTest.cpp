@@ -92,6 +92,20 @@ TEST_P(NativeCode, GivesWhatTheKernelsGive) {
   expectSame<float>(GetParam());
 }
 
+TEST_P(NativeCode, LongOutputsThatBypassTheCachesAreTheSame) {
+  const auto sets = instructionSets();
+  if (std::find(sets.begin(), sets.end(), GetParam()) == sets.end()) GTEST_SKIP() << "not on this processor";
+  std::mt19937 random(8);
+  for (int trial = 0; trial < 4; ++trial) {
+    const RandomProgram made(random, 30, 3, 6);
+    const std::size_t count = 400'003;  // of float: 4.8 MB in three outputs
+    const auto native = runWith<float>(GetParam(), made, count);
+    const auto kernels = runWith<float>(GetParam() + "_kernels", made, count);
+    for (std::size_t k = 0; k < native.size(); ++k)
+      for (std::size_t i = 0; i < count; ++i) ASSERT_TRUE(sameValue(native[k][i], kernels[k][i])) << k << " " << i;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sets, NativeCode, testing::Values("avx512", "avx2"),
                          [](const auto& info) { return info.param; });
 
