@@ -113,6 +113,36 @@ double smithLambda(double a, double reach, const Slopes& density) {
   return sum * along * across / a;
 }
 
+TEST(ClosedForm, SmithsShadowingOfTheAbcDistributionIsItsProjectedArea) {
+  // The facets that face a viewer have the projected area cos (1 + Lambda) (Heitz 2014, section 5): here integrated
+  // over the half vectors, where the lobe integrates over slopes. Midpoints in log(1 + B (1 - cos)) and phi.
+  constexpr int steps = 1500;
+  for (const auto& [B, C] : {std::pair{0.5, 0.3}, {20.0, 1.0}, {300.0, 2.0}, {1e5, 1.2}, {1e4, 6.0}})
+    for (const double degrees : {30.0, 70.0, 88.0}) {
+      const Direction wi = fromSpherical(radians(degrees), 0.4), wo{-wi[0], -wi[1], wi[2]};
+      const double length = std::log1p(B), sine = std::hypot(wi[0], wi[1]);
+      double norm = 0, area = 0;
+      for (int i = 0; i < steps; ++i) {
+        const double x = std::expm1((i + 0.5) / steps * length) / B, weight = (1 + B * x) / B * length / steps;
+        const double density = std::pow(1 + B * x, -C) * weight, c = 1 - x, t = std::sqrt(x * (2 - x));
+        double facing = 0;
+        for (int j = 0; j < steps; ++j)
+          facing += std::max(0.0, wi[2] * c + sine * t * std::cos((j + 0.5) / steps * kPi)) * 2 * kPi / steps;
+        norm += 2 * kPi * density * c;
+        area += density * facing;
+      }
+      const double lambda = area / norm / wi[2] - 1;
+      // Mirror pair: 4 cos^2 f/D = G = 1/(1 + 2 Lambda), or 1/(1 + Lambda)^2 where separable; D = 1/norm.
+      const auto shadowing = [&](const char* g) {
+        const std::string text =
+            std::string("Microfacet_ABC_Constant_") + g + "(B=" + std::to_string(B) + ", C=" + std::to_string(C) + ")";
+        return parseMaterialExpression(text)->evaluate(wi, wo)[0] * 4 * wi[2] * wi[2] * norm;
+      };
+      EXPECT_NEAR(shadowing("Smith"), 1 / (1 + 2 * lambda), 1e-4) << B << " " << C << " " << degrees;
+      EXPECT_NEAR(shadowing("SmithSeparable"), std::pow(1 + lambda, -2), 1e-4) << B << " " << C << " " << degrees;
+    }
+}
+
 TEST(ClosedForm, SmithsShadowingOfTheExponentialPowerDistributionIsItsIntegral) {
   for (const double p : {0.45, 0.8, 1.6, 4.0})
     for (const double degrees : {30.0, 60.0, 80.0}) {
