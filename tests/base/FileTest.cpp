@@ -4,16 +4,13 @@
 
 #include <fstream>
 
+#include "../TestFolder.h"
+
 namespace fs = std::filesystem;
 
 namespace {
 
-fs::path freshFolder(const char* name) {
-  const fs::path folder = fs::path(BRDF_TEST_DIR) / "file" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
+fs::path freshFolder(const char* name) { return testFolder(name); }
 
 }  // namespace
 

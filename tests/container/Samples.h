@@ -7,15 +7,12 @@
 #include <limits>
 #include <string>
 
+#include "../TestFolder.h"
+
 /// What the container tests share: small materials with awkward numbers, and a folder of their own.
 namespace samples {
 
-inline std::filesystem::path freshFolder(const std::string& name) {
-  const auto folder = std::filesystem::path(BRDF_TEST_DIR) / "container" / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
+inline std::filesystem::path freshFolder(const std::string& name) { return testFolder(name); }
 
 /// The text of the brdf::Error that `action` throws; empty when it throws none.
 template <class Action>

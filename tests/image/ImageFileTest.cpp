@@ -9,17 +9,14 @@
 #include <functional>
 #include <limits>
 
+#include "../TestFolder.h"
+
 namespace fs = std::filesystem;
 using brdf::Image;
 
 namespace {
 
-fs::path freshFolder(const char* name) {
-  const fs::path folder = fs::path(BRDF_TEST_DIR) / "image" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
+fs::path freshFolder(const char* name) { return testFolder(name); }
 
 std::string messageOf(const std::function<void()>& action) {
   try {

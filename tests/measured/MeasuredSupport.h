@@ -13,6 +13,8 @@
 #include <functional>
 #include <string>
 
+#include "../TestFolder.h"
+
 namespace measuredtest {
 
 /// An RGB BRDF given by a function, isotropic and reciprocal, for tests to tabulate and write.
@@ -63,16 +65,7 @@ inline void expectPair(const brdf::ScatteredSamples& data, std::size_t i, const 
   }
 }
 
-/// A fresh folder for the files of the running test; tests run side by side.
-inline std::filesystem::path folder(const std::string& name) {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string own = std::string(test->test_suite_name()) + "." + test->name();
-  std::replace(own.begin(), own.end(), '/', '-');
-  const auto path = std::filesystem::path(BRDF_TEST_DIR) / "measured" / own / name;
-  std::filesystem::remove_all(path);
-  std::filesystem::create_directories(path);
-  return path;
-}
+inline std::filesystem::path folder(const std::string& name) { return testFolder(name); }
 
 /// The error that `action` throws, as text; empty when it throws none.
 inline std::string errorOf(const std::function<void()>& action) {
