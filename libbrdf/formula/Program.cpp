@@ -187,7 +187,7 @@ void Program::runNative(const NativeCode<T>& code, const T* const* inputs, const
   const auto misaligned = [&](std::size_t k) {
     return reinterpret_cast<std::uintptr_t>(outputs[k]) / sizeof(T) % width;
   };
-  bool streaming = count * outputCount_ * sizeof(T) >= large && !readsOutputs();
+  bool streaming = count >= 2 * width && count * outputCount_ * sizeof(T) >= large && !readsOutputs();
   for (std::size_t k = 1; k < outputCount_ && streaming; ++k) streaming = misaligned(k) == misaligned(0);
   if (!streaming) {
     const std::size_t whole = count / width * width;

@@ -2,8 +2,9 @@
 // 33(7), 2014): theta_i and theta_o in 6 steps of 15 degrees, phi_i and phi_o in 48 steps of 7.5 degrees.
 // - Binary: no header, little-endian float64, three planes of [theta_i][phi_i][theta_o][phi_o], the last one fastest.
 // - OpenEXR: 288 x 288 pixels, the row counting lights (48 theta_i + phi_i), the column viewers.
-// Readers of the binary files disagree on whether they are encoded as sRGB; that the database's own program decodes
-// them is taken for its word. The scale is taken for f_r in 1/sr; the database does not calibrate it to that.
+// Readers of the binary files disagree on whether they are encoded as sRGB: dj_brdf and the usual Python reader decode
+// them, ALTA's takes them as linear; which is right is not established. The scale is taken for f_r in 1/sr; the
+// database does not calibrate it to that.
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/geometry/Directions.h>
@@ -67,7 +68,7 @@ ReadResult readBinary(std::string_view bytes, const std::filesystem::path& path,
                                       std::to_string(bytes.size()) + " bytes", std::to_string(kBytes) + " bytes"});
   std::vector<double> values(3 * kCells);
   std::memcpy(values.data(), bytes.data(), kBytes);
-  return finish(std::move(values), ColourSpace::EncodedSrgb, "as the database's own reader decodes it", path, options);
+  return finish(std::move(values), ColourSpace::EncodedSrgb, "as most readers take it, not all", path, options);
 }
 
 /// `brdf` on the database's grid in RGB, invalid cells 0: its own cells where it has them.
@@ -117,8 +118,7 @@ ReadResult readExr(std::string_view bytes, const std::filesystem::path& path, co
   for (std::size_t i = 0; i < kCells; ++i)
     for (std::size_t channel = 0; channel < 3; ++channel)
       values[channel * kCells + i] = image.values[i * image.channels + channel];
-  return finish(std::move(values), ColourSpace::Xyz, "the database keeps its OpenEXR data in XYZ under D65", path,
-                options);
+  return finish(std::move(values), ColourSpace::Xyz, "the database says so of its OpenEXR texture data", path, options);
 }
 
 WriteReport writeExrFile(const Brdf& brdf, const std::filesystem::path& path) {
