@@ -13,14 +13,23 @@
 namespace brdf::app {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 std::atomic<int> askers{0};  // commands that look at interrupted()
 std::atomic<bool> stopWanted{false};
+/// One wish to stop may arrive twice: `timeout` signals the program and then its group, with the program in it.
+constexpr auto sameWish = std::chrono::milliseconds(500);
 
 void waitForInterrupts(sigset_t signals) {
+  Clock::time_point first;
   while (true) {
     int signal = 0;
     if (sigwait(&signals, &signal) != 0) return;
-    if (askers > 0 && !stopWanted.exchange(true)) continue;
+    if (stopWanted && Clock::now() - first < sameWish) continue;
+    if (askers > 0 && !stopWanted.exchange(true)) {
+      first = Clock::now();
+      continue;
+    }
     removeTemporaryFiles();
     std::fputs(isatty(STDERR_FILENO) ? "\nbrdf: interrupted\n" : "brdf: interrupted\n", stderr);
     std::_Exit(1);
@@ -29,22 +38,22 @@ void waitForInterrupts(sigset_t signals) {
 
 }  // namespace
 
+Interruptible::Interruptible() { ++askers; }
+Interruptible::~Interruptible() { --askers; }
+
 Progress::Progress(const Output& output, std::string title)
     : output_(output),
       title_(std::move(title)),
       terminal_(isatty(STDERR_FILENO) != 0),
-      next_(std::chrono::steady_clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 2000)) {
-  ++askers;
-}
+      next_(Clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 2000)) {}
 
 Progress::~Progress() {
-  --askers;
   if (shown_ && terminal_) std::fputs("\r\033[K", stderr);
 }
 
 void Progress::update(std::size_t done, std::size_t total, const std::string& remark) {
   if (output_.quiet) return;
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
   if (now < next_) return;
   next_ = now + std::chrono::milliseconds(terminal_ ? 100 : 2000);
   std::string text = title_;

@@ -80,6 +80,7 @@ void run(const Output& output, Values values) {
   if (!target.brdf->samples())
     throw Error(Error::Kind::Value, {"nothing to fit: a formula has no samples", values.target, target.kind,
                                      "measured data, or a table that `brdf convert` makes"});
+  const Interruptible untilSaved;
   FitReport report;
   {
     Progress progress(output, "fit: iteration");
