@@ -237,6 +237,23 @@ Scales JointCost::scalesOf(std::span<const double> x) const {
   return scales;
 }
 
+SearchBox JointCost::searchBox(std::span<const double> start) const {
+  constexpr double kRoom = 10;
+  const std::size_t shapes = problem_.coordinates().size();
+  SearchBox box = problem_.searchBox(start.first(shapes));
+  std::vector<double> largest(problem_.lobeCount());
+  for (std::size_t k = 0; k < freeScales_.size(); ++k) {
+    double& own = largest[freeScales_[k].first];
+    own = std::max(own, start[shapes + k]);
+  }
+  const double any = largest.empty() ? 0 : std::ranges::max(largest);
+  for (const auto& [lobe, channel] : freeScales_) {
+    box.lower.push_back(0);
+    box.upper.push_back(kRoom * (largest[lobe] > 0 ? largest[lobe] : any > 0 ? any : 1));
+  }
+  return box;
+}
+
 double JointCost::squaredError(std::span<const double> x) {
   const std::size_t lobes = problem_.lobeCount();
   const Scales scales = scalesOf(x);

@@ -32,6 +32,8 @@ class BRDF_EXPORT SeparableCost : public CostFunction {
   double squaredError(std::span<const double> x) override;
   NormalEquations normalEquations(std::span<const double> x) override;
   double scale() const override { return zeroError_; }
+  /// The soft bounds of every shape coordinate, and the start.
+  SearchBox searchBox(std::span<const double> start) const override { return problem_.searchBox(start); }
 
   /// The scale factors at the best shape evaluated so far.
   const Scales& bestScales() const { return bestScales_; }
@@ -62,6 +64,9 @@ class BRDF_EXPORT JointCost : public CostFunction {
   double squaredError(std::span<const double> x) override;
   NormalEquations normalEquations(std::span<const double> x) override;
   double scale() const override { return zeroError_; }
+  /// As in the separable cost; a scale factor from 0 to ten times the largest that its lobe has at the start (any lobe
+  /// where that is 0, 1 where all are): hard upper bounds they have none.
+  SearchBox searchBox(std::span<const double> start) const override;
 
   std::vector<double> join(std::span<const double> shape, const Scales& scales) const;
   Scales scalesOf(std::span<const double> x) const;

@@ -53,22 +53,32 @@ class Fitter {
     if (starts.empty() || optimizer_.usesDerivatives) starts.push_back(problem_.start());
     std::ranges::copy(latinHypercube(problem_, options_.starts, options_.seed), std::back_inserter(starts));
 
+    // A global method needs one start only, and Levenberg-Marquardt finishes what it found.
+    if (optimizer_.global) starts.resize(1);
     std::optional<Solution> best;
     for (const std::vector<double>& start : starts) {
-      Solution solution = run(large ? polishData : data, channels, start,
+      Solution solution = run(optimizer_, large ? polishData : data, channels, start,
                               separable_ ? Scales{} : solveScales(problem_, scanData, channels, start));
       if (!best || solution.outcome.squaredError < best->outcome.squaredError) best = std::move(solution);
       if (stopped_) break;
     }
-    return large && !stopped_ ? run(data, channels, best->shape, best->scales) : *best;
+    if (stopped_ || !(large || optimizer_.global)) return *best;
+    const Optimizer& last = optimizer_.global ? findOptimizer("lm") : optimizer_;
+    Solution solution = run(last, data, channels, best->shape, best->scales);
+    if (optimizer_.global)
+      solution.outcome.termination = std::string(optimizer_.name) + ": " + best->outcome.termination +
+                                     "; then Levenberg-Marquardt: " + solution.outcome.termination;
+    return solution;
   }
 
  private:
-  Solution run(const FitData& data, ChannelRange channels, std::vector<double> start, const Scales& scales) {
+  Solution run(const Optimizer& optimizer, const FitData& data, ChannelRange channels, std::vector<double> start,
+               const Scales& scales) {
     const double residuals = static_cast<double>(data.samples * channels.count);
     OptimizerOptions options;
     options.tolerance = options_.tolerance;
     options.maximumIterations = options_.maximumIterations;
+    options.seed = options_.seed;
     options.progress = [&](double squaredError) {
       ++report_.iterations;
       if (options_.progress && !options_.progress(report_.iterations, std::sqrt(squaredError / residuals)))
@@ -78,12 +88,12 @@ class Fitter {
     Solution solution;
     if (separable_) {
       SeparableCost cost(problem_, data, channels);
-      solution.outcome = optimizer_.minimize(cost, std::move(start), options);
+      solution.outcome = optimizer.minimize(cost, std::move(start), options);
       solution.shape = solution.outcome.x;
       solution.scales = cost.bestScales();
     } else {
       JointCost cost(problem_, data, channels);
-      solution.outcome = optimizer_.minimize(cost, cost.join(start, scales), options);
+      solution.outcome = optimizer.minimize(cost, cost.join(start, scales), options);
       solution.scales = cost.scalesOf(solution.outcome.x);
       solution.shape = solution.outcome.x;
       solution.shape.resize(problem_.coordinates().size());

@@ -46,11 +46,11 @@ struct FitOptions {
   /// Relative: stop when a step lowers the squared error by less than this part and moves no parameter (in its
   /// logarithm where its scale is one) by more than a hundredth of the square root of this.
   double tolerance = 1e-8;
-  /// Of each run of the optimizer; methods without derivatives get 20 evaluations for each.
+  /// Of each run of the optimizer; methods of NLopt get 5 (those with gradients) or 20 evaluations for each.
   std::size_t maximumIterations = 200;
   std::size_t starts = 0;  ///< extra random starts (Latin hypercube over the soft bounds)
-  std::uint64_t seed = 1;
-  bool scan = true;  ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
+  std::uint64_t seed = 1;  ///< of the random starts, and of optimizers that draw random numbers
+  bool scan = true;        ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
   /// Called after each iteration with the error so far; return false to stop with the best so far.
   std::function<bool(std::size_t iteration, double error)> progress;
 };

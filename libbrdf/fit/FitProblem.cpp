@@ -108,6 +108,15 @@ std::vector<double> FitProblem::start() const {
   return x;
 }
 
+SearchBox FitProblem::searchBox(std::span<const double> x) const {
+  SearchBox box;
+  for (std::size_t k = 0; k < coordinates_.size(); ++k) {
+    box.lower.push_back(std::min(coordinates_[k].softLower, x[k]));
+    box.upper.push_back(std::max(coordinates_[k].softUpper, x[k]));
+  }
+  return box;
+}
+
 std::vector<std::vector<double>> FitProblem::parameters(std::span<const double> x) const {
   std::vector<std::vector<double>> values;
   for (const FitLobe& lobe : lobes_) values.push_back(lobe.base);

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/fit/Fit.h>
+#include <brdf/fit/Optimizer.h>
 #include <brdf/geometry/DirectionPairs.h>
 
 #include <string>
@@ -43,6 +44,8 @@ class BRDF_EXPORT FitProblem {
   std::vector<double> start() const;
   const std::vector<double>& lower() const { return lower_; }
   const std::vector<double>& upper() const { return upper_; }
+  /// The soft bounds, widened where `x` lies outside.
+  SearchBox searchBox(std::span<const double> x) const;
   /// Sentences on what was tied, for the report.
   const std::vector<std::string>& notes() const { return notes_; }
 

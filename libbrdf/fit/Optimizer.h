@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/brdf_export.h>
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -16,6 +17,11 @@ struct NormalEquations {
   std::vector<double> matrix;    ///< J'J, n x n, row-major; approximations of it are welcome
 };
 
+/// Where a minimum is expected: the box that global methods search, and the unit of every coordinate for the others.
+struct SearchBox {
+  std::vector<double> lower, upper;  ///< inside the bounds; may be infinite
+};
+
 /// A sum of squares to minimise in a box.
 class BRDF_EXPORT CostFunction {
  public:
@@ -27,11 +33,15 @@ class BRDF_EXPORT CostFunction {
   virtual NormalEquations normalEquations(std::span<const double> x) = 0;
   /// The squared error of the answer 0: below its 1e-28th part there is nothing but rounding. 0 when unknown.
   virtual double scale() const { return 0; }
+  /// Contains `start`, which lies inside the bounds. The bounds themselves unless the function knows better.
+  virtual SearchBox searchBox(std::span<const double> start) const;
 };
 
 struct OptimizerOptions {
   double tolerance = 1e-8;  ///< relative change of the squared error; steps are held to a hundredth of its square root
+  /// Methods without derivatives and global ones get 20 evaluations for each, those with gradients 5.
   std::size_t maximumIterations = 200;
+  std::uint64_t seed = 1;  ///< of the methods that draw random numbers
   /// Called after each iteration; return false to stop with the best so far.
   std::function<bool(double squaredError)> progress;
 };
@@ -51,6 +61,7 @@ struct Optimizer {
   std::string_view name;   ///< as on the command line
   std::string_view title;  ///< with its source
   bool usesDerivatives;
+  bool global;  ///< searches the whole search box (CostFunction::searchBox), which must be finite
   OptimizerResult (*minimize)(CostFunction& cost, std::vector<double> start, const OptimizerOptions& options);
 };
 
