@@ -1,0 +1,94 @@
+#include "FitArguments.h"
+
+#include "Arguments.h"
+#include "Assumptions.h"
+#include "Progress.h"
+#include "commands/FitReportJson.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+
+namespace brdf::app {
+namespace {
+
+/// Runs `read`; an error names the option first.
+template <class Read>
+auto fromOption(const char* option, Read read) {
+  try {
+    return read();
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    details.where = details.where.empty() ? option : std::string(option) + ", " + details.where;
+    throw Error(error.kind(), std::move(details));
+  }
+}
+
+/// One lobe more at a time, each fit starting from the one before.
+FitReport fitProgressively(const Brdf& target, std::vector<LobeRequest> requests, const FitOptions& options) {
+  FitReport report;
+  for (std::size_t count = 1; count <= requests.size(); ++count) {
+    report = fit(target, {requests.begin(), requests.begin() + static_cast<std::ptrdiff_t>(count)}, options);
+    if (interrupted()) break;
+    for (const FittedParameter& p : report.parameters)
+      if (!p.channel && !p.fixed && p.name != "scale") requests[p.lobeIndex].start[p.name] = p.value;
+  }
+  return report;
+}
+
+}  // namespace
+
+void FitArguments::declare(Arguments& arguments) {
+  arguments.option("--lobes", lobes_, "SUM",
+                   "Lobes to fit; parameters written there are starting values [" + lobes_ + "]");
+  arguments.choice("--optimizer", options_.optimizer, optimizerNames(), "How the shape parameters are searched");
+  arguments.choice("--metric", options_.metric, metricNames(), "What is minimised");
+  arguments.option("--channels", channels_, "LIST",
+                   "luminance, rgb, spectral (the data's own) or numbers from 0 as in 0,3,5 [spectral]");
+  arguments.choice("--strategy", strategy_, {"automatic", "separable", "joint"},
+                   "Scale factors by linear least squares inside, or searched with the rest");
+  arguments.choice("--combination", combination_, {"shared", "per-channel"}, "One shape for all channels, or one each");
+  arguments.flag("--progressive", progressive_, "Fit one lobe more at a time, in the order given");
+  arguments.option("--starts", options_.starts, {0, 100000}, "Random starts besides the scan");
+  arguments.option("--seed", seed_, {0, 9e15}, "Of the random starts");
+  arguments.flag("--no-scan", noScan_, "Start from the defaults instead of scanning the shapes");
+  arguments.option("--tolerance", options_.tolerance, {0, 1}, "NUMBER", "Relative: stop when steps gain less");
+  arguments.option("--max-iterations", options_.maximumIterations, {1, 1000000}, "Of each start");
+  arguments.option("--max-theta", options_.maximumTheta, {0, 90}, "DEGREES",
+                   "Leave out samples with theta_i or theta_o above");
+  arguments.option("--fix", fixed_, "NAME=VALUE",
+                   "Hold a parameter, in every lobe or as in GGX.ior=1.5; several times");
+}
+
+void FitArguments::resolve() {
+  options_.seed = seed_;
+  options_.scan = !noScan_;
+  options_.channels = channelsOption(channels_);
+  options_.strategy = strategy_ == "separable" ? Strategy::Separable
+                      : strategy_ == "joint"   ? Strategy::Joint
+                                               : Strategy::Automatic;
+  options_.combination = combination_ == "shared" ? Combination::Shared : Combination::PerChannel;
+  requests_ = fromOption("--lobes", [&] { return parseLobeRequests(lobes_); });
+  for (const std::string& text : fixed_) fromOption("--fix", [&] { holdParameter(requests_, text); });
+}
+
+FitReport FitArguments::run(const Brdf& target, std::function<bool(std::size_t, double)> progress) const {
+  FitOptions options = options_;
+  options.progress = std::move(progress);
+  return progressive_ ? fitProgressively(target, requests_, options) : fit(target, requests_, options);
+}
+
+std::string FitArguments::words() const {
+  return "fit --lobes \"" + lobes_ + "\" --metric " + options_.metric + " --optimizer " + options_.optimizer +
+         " --channels " + channels_ + " --combination " + combination_ + " --max-theta " +
+         formatNumber(options_.maximumTheta);
+}
+
+LoadedMaterial loadTarget(const std::string& spec) {
+  LoadedMaterial target = loadMaterial(spec, assumptions());
+  if (!target.brdf->samples())
+    throw Error(Error::Kind::Value, {"nothing to fit: a formula has no samples", spec, target.kind,
+                                     "measured data, or a table that `brdf convert` makes"});
+  return target;
+}
+
+}  // namespace brdf::app

@@ -1,0 +1,42 @@
+#pragma once
+#include <brdf/fit/Fit.h>
+#include <brdf/fit/LobeRequests.h>
+#include <brdf/io/LoadMaterial.h>
+
+#include <string>
+#include <vector>
+
+namespace brdf::app {
+
+class Arguments;
+
+/// What a fit is asked for: the options that `brdf fit` and the tasks of `brdf batch` share, declared here alone.
+class FitArguments {
+ public:
+  /// Declares the options, which keep their values here: this object must outlive the parsing.
+  void declare(Arguments& arguments);
+
+  /// To be called after parsing: makes the request of the options' texts. Throws Error::Kind::Usage, Formula or Value
+  /// naming the option.
+  void resolve();
+
+  /// Fits; `progress` as in FitOptions. Throws what brdf::fit throws.
+  FitReport run(const Brdf& target, std::function<bool(std::size_t iteration, double error)> progress) const;
+
+  /// The options as they would be typed, for the record.
+  std::string words() const;
+
+ private:
+  std::string lobes_ = "Lambertian + GGX", channels_ = "spectral", strategy_ = "automatic", combination_ = "shared";
+  std::vector<std::string> fixed_;
+  bool progressive_ = false, noScan_ = false;
+  std::size_t seed_ = 1;
+  FitOptions options_;
+  std::vector<LobeRequest> requests_;
+};
+
+/// The material that `spec` means, if it has samples to fit. Throws what loadMaterial throws, and Error::Kind::Value
+/// for a formula.
+LoadedMaterial loadTarget(const std::string& spec);
+
+}  // namespace brdf::app
