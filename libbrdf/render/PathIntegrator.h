@@ -1,0 +1,60 @@
+#pragma once
+#include <brdf/render/RayCaster.h>
+#include <brdf/render/SceneLighting.h>
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace brdf {
+
+/// Independent random numbers of one path: a counter mixed by SplitMix64 (Steele, Lea, Flood 2014, "Fast Splittable
+/// Pseudorandom Number Generators"). The same stream for the same key everywhere.
+class PathRandom {
+ public:
+  explicit PathRandom(std::uint64_t key = 0) : state_(mixed(key)) {}
+  double next() {  ///< in [0, 1)
+    state_ += 0x9e3779b97f4a7c15u;
+    return static_cast<double>(mixed(state_) >> 11) * 0x1p-53;
+  }
+
+ private:
+  static std::uint64_t mixed(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+  }
+  std::uint64_t state_;
+};
+
+/// Estimates the radiance that comes back along camera rays: path tracing with next-event estimation, environment and
+/// BRDF sampling combined by the balance heuristic (Veach and Guibas 1995, "Optimally Combining Sampling Techniques for
+/// Monte Carlo Rendering", eq. 14), many paths in step so that a material is evaluated in batches. One path a ray; the
+/// mean over rays is unbiased.
+class PathIntegrator {
+ public:
+  /// `bounces`: surfaces that light may meet on its way to the camera, at least 1; 1 is direct light only.
+  PathIntegrator(const Scene& scene, std::size_t bounces);
+
+  /// radiance[k] for rays[k], with the random numbers randoms[k]. Adds to `invalid` the evaluations where a material
+  /// has no value (taken for 0), to `evaluations` all. Safe to call on several threads.
+  void trace(std::span<const Ray> rays, std::span<PathRandom> randoms, Rgb* radiance, std::uint64_t& evaluations,
+             std::uint64_t& invalid) const;
+
+ private:
+  struct Path;
+  struct Batch;
+  void shade(std::span<Path> paths, bool last, Batch& batch, Rgb* radiance) const;
+  void addLight(const SceneLight& light, std::span<Path> paths, Batch& batch, Rgb* radiance) const;
+  void addEnvironment(std::span<Path> paths, Batch& batch, Rgb* radiance) const;
+  void scatter(std::span<Path> paths, Batch& batch) const;
+
+  RayCaster caster_;
+  std::vector<BrdfPointer> materials_;  ///< RGB, with samplers
+  std::vector<SceneLight> lights_;
+  std::optional<SceneLighting> lighting_;
+  std::size_t bounces_;
+};
+
+}  // namespace brdf

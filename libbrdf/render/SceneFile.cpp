@@ -1,0 +1,140 @@
+#include <brdf/base/Error.h>
+#include <brdf/base/Text.h>
+#include <brdf/io/JsonObject.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/render/SceneFile.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace brdf {
+namespace {
+
+/// A path written in the scene: relative to the scene's own folder.
+std::filesystem::path beside(const std::filesystem::path& scene, const std::string& path) {
+  return scene.parent_path() / path;
+}
+
+/// What loadMaterial makes of a text of the scene; a file beside the scene wins.
+BrdfPointer material(const std::filesystem::path& scene, const std::string& text) {
+  const std::size_t hash = text.find('#');
+  const std::filesystem::path file = beside(scene, text.substr(0, hash));
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored))
+    return loadMaterial(file.string() + (hash == std::string::npos ? "" : text.substr(hash))).brdf;
+  return loadMaterial(text).brdf;
+}
+
+Placement placement(const JsonObject& object) {
+  Placement place;
+  place.shift = object.triple("position", {0, 0, 0});
+  place.scale = object.number("scale", 1);
+  if (const auto turn = object.object("rotate")) {
+    const Direction axis = turn->triple("axis", {0, 1, 0});
+    if (dot(axis, axis) == 0) turn->fail("no direction", "axis", "[0, 0, 0]", "a vector of any length but 0");
+    place.axes = rotation(axis, turn->number("degrees"));
+    turn->finish();
+  }
+  return place;
+}
+
+SceneObject sceneObject(const JsonObject& entry, const std::filesystem::path& scene, const MeshReader& readMesh,
+                        const std::map<std::string, std::size_t>& materials) {
+  SceneObject object;
+  object.name = entry.text("name", "");
+  object.placement = placement(entry);
+  if (entry.has("shape") == entry.has("mesh")) entry.fail("either of two", "shape or mesh", "", "exactly one of them");
+  if (entry.has("mesh")) {
+    if (!readMesh) entry.fail("this program reads no meshes", "mesh", "", "\"shape\"");
+    object.mesh = std::make_shared<const TriangleMesh>(readMesh(beside(scene, entry.text("mesh"))));
+  } else if (const std::string shape = entry.text("shape"); shape == "square") {
+    object.mesh = std::make_shared<const TriangleMesh>(makeSquare(entry.number("side", 1)));
+  } else if (shape == "sphere") {
+    object.placement.scale *= entry.number("radius", 1);
+  } else {
+    entry.fail("unknown shape", "shape", "\"" + shape + "\"", "sphere, square");
+  }
+  const std::string name = entry.text("material");
+  const auto found = materials.find(name);
+  if (found == materials.end()) {
+    std::vector<std::string> names;
+    for (const auto& [known, index] : materials) names.push_back(known);
+    entry.fail("no such material", "material", "\"" + name + "\"", joined(names));
+  }
+  object.material = found->second;
+  entry.finish();
+  return object;
+}
+
+SceneLight sceneLight(const JsonObject& entry) {
+  SceneLight light;
+  const std::string kind = entry.text("kind");
+  if (kind == "directional") {
+    const double theta = radians(entry.number("theta")), phi = radians(entry.number("phi", 0));
+    light.position = {std::sin(theta) * std::sin(phi), std::cos(theta), std::sin(theta) * std::cos(phi)};
+    light.rgb = entry.triple("irradiance");
+  } else if (kind == "point") {
+    light.kind = SceneLight::Kind::Point;
+    light.position = entry.triple("position");
+    light.rgb = entry.triple("intensity");
+  } else {
+    entry.fail("unknown kind of light", "kind", "\"" + kind + "\"", "directional, point");
+  }
+  entry.finish();
+  return light;
+}
+
+SceneEnvironment sceneEnvironment(const JsonObject& entry, const std::filesystem::path& scene) {
+  SceneEnvironment environment;
+  if (entry.has("file") == entry.has("constant"))
+    entry.fail("either of two", "file or constant", "", "exactly one of them");
+  environment.map =
+      std::make_shared<const EnvironmentMap>(entry.has("file") ? EnvironmentMap::read(beside(scene, entry.text("file")))
+                                                               : EnvironmentMap::constant(entry.triple("constant")));
+  environment.rotation = entry.number("rotation", 0);
+  environment.scale = entry.number("scale", 1);
+  environment.visible = entry.flag("visible", true);
+  entry.finish();
+  return environment;
+}
+
+}  // namespace
+
+Scene readScene(const std::filesystem::path& path, const MeshReader& readMesh) {
+  const JsonObject file = JsonObject::read(path);
+  Scene scene;
+  if (const auto film = file.object("film")) {
+    scene.width = film->count("width", scene.width, 1);
+    scene.height = film->count("height", scene.height, 1);
+    film->finish();
+  }
+  if (const auto camera = file.object("camera")) {
+    scene.camera.position = camera->triple("position", scene.camera.position);
+    scene.camera.target = camera->triple("target", scene.camera.target);
+    scene.camera.up = camera->triple("up", scene.camera.up);
+    scene.camera.viewAngle = camera->number("view_angle", scene.camera.viewAngle);
+    camera->finish();
+  }
+  if (const auto entry = file.object("environment")) scene.environment = sceneEnvironment(*entry, path);
+  for (const JsonObject& entry : file.objects("lights")) scene.lights.push_back(sceneLight(entry));
+  std::map<std::string, std::size_t> materials;
+  if (const auto list = file.object("materials"))
+    for (const std::string& name : list->names()) {
+      materials[name] = scene.materials.size();
+      scene.materials.push_back(material(path, list->text(name)));
+    }
+  for (const JsonObject& entry : file.objects("objects"))
+    scene.objects.push_back(sceneObject(entry, path, readMesh, materials));
+  file.finish();
+  try {
+    checkScene(scene);
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    details.where = path.string() + ", " + details.where;
+    throw Error(error.kind(), std::move(details));
+  }
+  return scene;
+}
+
+}  // namespace brdf

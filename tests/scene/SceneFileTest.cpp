@@ -1,0 +1,93 @@
+#include "../TestFolder.h"
+
+#include <brdf/base/Error.h>
+#include <brdf/base/File.h>
+#include <brdf/render/SceneFile.h>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace brdf;
+
+std::filesystem::path written(const std::string& text) {
+  const auto path = testFolder("scene") / "scene.json";
+  writeFile(path, text);
+  return path;
+}
+
+std::string refusal(const std::string& text) {
+  const auto path = written(text);
+  try {
+    readScene(path);
+  } catch (const Error& error) {
+    std::string what = error.what();
+    const std::string folder = path.parent_path().string() + "/";
+    for (std::size_t at; (at = what.find(folder)) != std::string::npos;) what.erase(at, folder.size());
+    return what;
+  }
+  return "accepted";
+}
+
+TEST(SceneFile, EverythingItCanSay) {
+  const auto path = written(R"json({
+    // a comment
+    "film": {"width": 320, "height": 200},
+    "camera": {"position": [0, 1, 5], "target": [0, 0.5, 0], "up": [0, 1, 0], "view_angle": 40},
+    "environment": {"constant": [1, 2, 3], "rotation": 90, "scale": 0.5, "visible": false},
+    "lights": [{"kind": "directional", "theta": 90, "phi": 90, "irradiance": [3, 2, 1]},
+               {"kind": "point", "position": [1, 2, 3], "intensity": [4, 5, 6]}],
+    "materials": {"red": "(0.5,0.1,0.1)*Lambertian", "metal": "GGX(alpha=0.2)"},
+    "objects": [{"name": "ball", "shape": "sphere", "radius": 0.5, "position": [0, 0.5, 0], "material": "metal"},
+                {"shape": "square", "side": 4, "rotate": {"axis": [1, 0, 0], "degrees": 90}, "material": "red"},
+                {"mesh": "cow.ply", "scale": 2, "material": "red"}]
+})json");
+  std::filesystem::path asked;
+  const Scene scene = readScene(path, [&](const std::filesystem::path& file) {
+    asked = file;
+    return makeSquare(7);
+  });
+  EXPECT_EQ(asked, path.parent_path() / "cow.ply");
+  EXPECT_EQ(scene.width, 320u);
+  EXPECT_EQ(scene.height, 200u);
+  EXPECT_EQ(scene.camera.position, (Position{0, 1, 5}));
+  EXPECT_EQ(scene.camera.viewAngle, 40);
+  ASSERT_TRUE(scene.environment);
+  EXPECT_EQ(scene.environment->rotation, 90);
+  EXPECT_EQ(scene.environment->scale, 0.5);
+  EXPECT_FALSE(scene.environment->visible);
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_NEAR(scene.lights[0].position[0], 1, 1e-15);
+  EXPECT_EQ(scene.lights[0].rgb, (Rgb{3, 2, 1}));
+  EXPECT_EQ(scene.lights[1].kind, SceneLight::Kind::Point);
+  ASSERT_EQ(scene.objects.size(), 3u);
+  EXPECT_EQ(scene.objects[0].placement.scale, 0.5);
+  EXPECT_EQ(scene.materials[scene.objects[0].material]->description(), "GGX(alpha=0.2, ior=1.5)");
+  EXPECT_NEAR(scene.objects[1].placement.turned({0, 1, 0})[2], 1, 1e-15);  // facing the camera
+  EXPECT_EQ(scene.objects[2].mesh->points[1][0], 3.5);
+  EXPECT_EQ(scene.objects[2].placement.scale, 2);
+}
+
+TEST(SceneFile, SaysWhereItIsWrong) {
+  EXPECT_EQ(refusal("{\n\"film\": {\n}"), "scene.json, line 3: no JSON");
+  EXPECT_EQ(refusal("[]"), "scene.json: no object; found []; allowed: {...}");
+  EXPECT_EQ(refusal(R"({"flim": {}})"),
+            "scene.json: unknown key; found \"flim\" (did you mean \"film\"?); allowed: camera, environment, film, "
+            "lights, materials, objects");
+  EXPECT_EQ(refusal(R"({"camera": {"position": [1, 2]}})"),
+            "scene.json: camera.position: not three numbers; found [1,2]; allowed: [x, y, z]");
+  EXPECT_EQ(refusal(R"({"objects": [{"shape": "cube", "material": "a"}]})"),
+            "scene.json: objects[0].shape: unknown shape; found \"cube\"; allowed: sphere, square");
+  EXPECT_EQ(refusal(R"({"materials": {"b": "Lambertian"}, "objects": [{"shape": "sphere", "material": "a"}]})"),
+            "scene.json: objects[0].material: no such material; found \"a\"; allowed: b");
+  EXPECT_EQ(refusal(R"({"materials": {"b": "Lambertain"}})").find("Lambertain") != std::string::npos, true);
+  EXPECT_EQ(refusal(R"({"materials": {"b": "Lambertian"}, "objects": [{"mesh": "x.ply", "material": "b"}]})"),
+            "scene.json: objects[0].mesh: this program reads no meshes; allowed: \"shape\"");
+  EXPECT_EQ(refusal(R"({"film": {"width": 1e9, "height": 1e9}})"),
+            "scene.json, film: the film's size is not usable; found 1000000000 x 1000000000; allowed: 1 to 2^26 pixels "
+            "in all");
+  EXPECT_EQ(refusal(R"({"lights": [{"kind": "directional", "theta": 0, "irradiance": [1, -1, 1]}]})"),
+            "scene.json, light 0: negative light; allowed: 0 or more");
+}
+
+}  // namespace
