@@ -70,8 +70,10 @@ BRDF_EXPORT std::span<const Optimizer> allOptimizers();
 /// The optimizer called `name`; throws Error::Kind::Value with the allowed names.
 BRDF_EXPORT const Optimizer& findOptimizer(std::string_view name);
 
-/// Levenberg-Marquardt in a box: each step minimises the damped quadratic model inside the bounds exactly; damping by
-/// the gain ratio after Nielsen 1999, "Damping parameter in Marquardt's method", IMM-REP-1999-05.
+/// Levenberg-Marquardt as a trust region in a box (Moré 1978, "The Levenberg-Marquardt algorithm: implementation and
+/// theory", doi:10.1007/BFb0067700): each step minimises the quadratic model inside the bounds exactly, damped to the
+/// length that is trusted, in units of the largest slopes seen. Where residuals stay large the model learns their
+/// curvature.
 BRDF_EXPORT OptimizerResult levenbergMarquardt(CostFunction& cost, std::vector<double> start,
                                                const OptimizerOptions& options);
 
