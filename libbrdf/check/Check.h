@@ -1,6 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
-#include <brdf/material/Brdf.h>
+#include <brdf/material/LobeSum.h>
 #include <brdf/models/Model.h>
 
 #include <functional>
@@ -85,5 +85,9 @@ using GlslRunner = std::function<std::vector<std::vector<float>>(
 /// "glsl": the model's GLSL, value and density, against double at the same rounded inputs: relative error as a share of
 /// the 1e-4 allowed, at defaults and inside the soft bounds. What the runner throws is thrown on.
 BRDF_EXPORT Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& options = {});
+/// "lobe 1: glsl", ...: the same for each lobe of a sum at its own parameters, those of every channel; outside of a
+/// model's soft bounds nothing is demanded.
+BRDF_EXPORT std::vector<Check> checkGlsl(const LobeSum& material, const GlslRunner& run,
+                                         const CheckOptions& options = {});
 
 }  // namespace brdf

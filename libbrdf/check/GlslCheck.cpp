@@ -21,14 +21,10 @@ void tallyShader(const char* what, std::span<const float> got, const std::vector
   }
 }
 
-}  // namespace
-
-Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& options) {
+Tally tallyCases(const Model& model, std::vector<ParameterCase> cases, const GlslRunner& run,
+                 const CheckOptions& options, Tally tally) {
   const CheckPairs pairs = adversarialPairs(scaled(80, options, 4), options.seed + 4, false).rounded();
   const DirectionPairBuffer<float> narrow = pairs.narrow();
-  std::vector<ParameterCase> cases = softCases(model, scaled(2, options), options.seed);
-  // The ends of the soft bounds are where float itself has no four digits left.
-  std::erase_if(cases, [](const ParameterCase& one) { return one.name.starts_with("soft m"); });
   for (ParameterCase& one : cases)
     for (std::size_t k = 0; k < one.values.size(); ++k) {
       // As shaders get them, so that rounding a parameter is not held against the formula.
@@ -57,7 +53,6 @@ Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& o
   const std::string name = "brdf_" + model.name();
   const auto got = run(Model::glslPrelude() + model.glsl(), columns, {name + arguments, name + "_pdf" + arguments});
 
-  Tally tally("glsl", 1);
   const Declaration* const looser = model.declared("float_accuracy");
   const double relative = std::max(1e-4, looser ? looser->allowed : 0);
   std::vector<double> values(pairs.size()), density(pairs.size());
@@ -69,7 +64,35 @@ Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& o
     tallyShader("value", std::span(got.at(0)).subspan(first, pairs.size()), values, pairs, label, relative, tally);
     tallyShader("density", std::span(got.at(1)).subspan(first, pairs.size()), density, pairs, label, relative, tally);
   }
-  return tally.result();
+  return tally;
+}
+
+bool insideSoftBounds(const Model& model, const std::vector<double>& values) {
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k] < model.parameters()[k].softMinimum || values[k] > model.parameters()[k].softMaximum) return false;
+  return true;
+}
+
+}  // namespace
+
+Check checkGlsl(const Model& model, const GlslRunner& run, const CheckOptions& options) {
+  std::vector<ParameterCase> cases = softCases(model, scaled(2, options), options.seed);
+  // The ends of the soft bounds are where float itself has no four digits left.
+  std::erase_if(cases, [](const ParameterCase& one) { return one.name.starts_with("soft m"); });
+  return tallyCases(model, std::move(cases), run, options, {"glsl", 1}).result();
+}
+
+std::vector<Check> checkGlsl(const LobeSum& material, const GlslRunner& run, const CheckOptions& options) {
+  std::vector<Check> checks;
+  for (const Lobe& lobe : material.lobes()) {
+    const std::vector<ParameterCase> cases = channelCases(lobe, material.channels().count());
+    const bool usual =
+        std::ranges::all_of(cases, [&](const ParameterCase& one) { return insideSoftBounds(*lobe.model, one.values); });
+    Tally tally("lobe " + std::to_string(checks.size() + 1) + ": glsl", usual ? 1 : kAnything,
+                usual ? "" : "parameters outside the soft bounds, where float may have no four digits");
+    checks.push_back(tallyCases(*lobe.model, cases, run, options, std::move(tally)).result());
+  }
+  return checks;
 }
 
 }  // namespace brdf

@@ -1,6 +1,5 @@
 #include <brdf/check/Tally.h>
 #include <brdf/material/ChannelView.h>
-#include <brdf/material/LobeSum.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/sampling/SampledBrdf.h>
 
@@ -43,14 +42,6 @@ BrdfPointer fewChannels(const BrdfPointer& material) {
   return selectedChannels(material, chosen);
 }
 
-/// The lobe at each channel's own parameters, once where the channels share them.
-std::vector<ParameterCase> casesOf(const Lobe& lobe, std::size_t channels) {
-  std::vector<ParameterCase> cases;
-  for (std::size_t channel = 0; channel < (lobe.channelIndependent() ? 1 : channels); ++channel)
-    cases.push_back({lobe.parametersOf(channel), "channel " + std::to_string(channel), true});
-  return cases;
-}
-
 /// The loosest that a lobe declares about the albedo.
 const Declaration* declaredEnergy(const LobeSum* sum) {
   const Declaration* loosest = nullptr;
@@ -61,6 +52,13 @@ const Declaration* declaredEnergy(const LobeSum* sum) {
 }
 
 }  // namespace
+
+std::vector<ParameterCase> channelCases(const Lobe& lobe, std::size_t channels) {
+  std::vector<ParameterCase> cases;
+  for (std::size_t channel = 0; channel < (lobe.channelIndependent() ? 1 : channels); ++channel)
+    cases.push_back({lobe.parametersOf(channel), "channel " + std::to_string(channel), true});
+  return cases;
+}
 
 Audit checkMaterial(const BrdfPointer& material, const std::string& name, const CheckOptions& options) {
   const auto* lobes = dynamic_cast<const LobeSum*>(material.get());
@@ -88,7 +86,7 @@ Audit checkMaterial(const BrdfPointer& material, const std::string& name, const 
 
   for (std::size_t k = 0; lobes && k < lobes->lobes().size(); ++k) {
     const Lobe& lobe = lobes->lobes()[k];
-    for (Check& check : checkCases(*lobe.model, casesOf(lobe, material->channels().count()), options)) {
+    for (Check& check : checkCases(*lobe.model, channelCases(lobe, material->channels().count()), options)) {
       check.name = "lobe " + std::to_string(k + 1) + ": " + check.name;
       audit.checks.push_back(std::move(check));
     }

@@ -98,6 +98,9 @@ void tallySampler(const Brdf& brdf, const Brdf& reflecting, const std::string& l
 /// All checks of a model but "glsl", for the given parameters.
 std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCase>& cases, const CheckOptions& options);
 
+/// The lobe at each channel's own parameters, once where the channels share them.
+std::vector<ParameterCase> channelCases(const Lobe& lobe, std::size_t channels);
+
 /// `count` times the effort, at least `least`.
 inline std::size_t scaled(double count, const CheckOptions& options, std::size_t least = 1) {
   return std::max(least, static_cast<std::size_t>(count * options.effort));

@@ -57,6 +57,8 @@ std::string compose(const std::string& name, const pugi::xml_node& d, const pugi
   pugi::xml_node sampler = model.append_child("sampler");
   sampler.append_attribute("name") = d.attribute("sampler").value();
   sampler.append_attribute("arguments") = d.attribute("arguments").value();
+  for (const pugi::xml_node& term : {d, f, g})
+    for (const pugi::xml_node declaration : term.children("declares")) model.append_copy(declaration);
   pugi::xml_node reference = model.append_child("reference");
   reference.append_attribute("authors") = "Walter, Marschner, Li, Torrance";
   reference.append_attribute("year") = "2007";

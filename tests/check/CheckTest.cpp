@@ -255,22 +255,46 @@ TEST(CheckMaterial, CatchesASumThatReflectsMoreThanItReceives) {
   EXPECT_NEAR(find(audit, "energy").worst, 1.5, 2e-3);
 }
 
+/// What a device would answer to Probe's value a/pi and the density of the cosine, the value times `factor`.
+GlslRunner device(float factor) {
+  return [factor](const std::string&, const std::vector<GlslColumn>& columns, const auto& expressions) {
+    std::vector<std::vector<float>> result(expressions.size());
+    for (std::size_t k = 0; k < columns[0].values.size(); ++k) {
+      float cosine = 0;
+      for (const GlslColumn& column : columns)
+        if (column.name == "iz") cosine = column.values[k];
+      result[0].push_back(factor * columns[0].values[k] / 3.14159265f);
+      result[1].push_back(cosine / 3.14159265f);
+    }
+    return result;
+  };
+}
+
 TEST(CheckGlsl, FailsWhenTheShaderDiffersAndPassesWhenItDoesNot) {
   const FormulaModel model(kRight, "test");
-  for (const float wrong : {1.0f, 1.001f}) {
-    // What a device would answer: a/pi, and the density of the cosine.
-    const GlslRunner device = [&](const std::string&, const std::vector<GlslColumn>& columns, const auto& expressions) {
-      std::vector<std::vector<float>> result(expressions.size());
-      for (std::size_t k = 0; k < columns[0].values.size(); ++k) {
-        float cosine = 0;
-        for (const GlslColumn& column : columns)
-          if (column.name == "iz") cosine = column.values[k];
-        result[0].push_back(wrong * columns[0].values[k] / 3.14159265f);
-        result[1].push_back(cosine / 3.14159265f);
-      }
-      return result;
+  EXPECT_TRUE(checkGlsl(model, device(1)).passed);
+  EXPECT_FALSE(checkGlsl(model, device(1.001f)).passed);
+}
+
+TEST(CheckGlsl, OfASumLooksAtEveryLobeAtItsOwnParameters) {
+  const auto model = std::make_shared<FormulaModel>(kRight, "test");
+  // Red and green in one lobe, and one lobe outside of the soft bounds, 0.1 to 0.9.
+  const LobeSum sum({{model, {{0.25, 0.5, 0.75}}, {2.0}}, {model, {{0.95}}, {1.0}}}, Channels::rgb());
+  for (const float factor : {1.0f, 1.001f}) {
+    std::set<float> seen;
+    const auto recording = [&](const std::string& source, const std::vector<GlslColumn>& columns,
+                               const auto& expressions) {
+      seen.insert(columns[0].values.begin(), columns[0].values.end());
+      return device(factor)(source, columns, expressions);
     };
-    EXPECT_EQ(checkGlsl(model, device).passed, wrong == 1.0f);
+    const std::vector<Check> checks = checkGlsl(sum, recording);
+    ASSERT_EQ(checks.size(), 2u);
+    EXPECT_EQ(checks[0].name, "lobe 1: glsl");
+    EXPECT_EQ(checks[0].passed, factor == 1.0f);
+    EXPECT_TRUE(checks[1].passed) << "nothing is demanded outside of the soft bounds";
+    EXPECT_NEAR(checks[1].worst, factor == 1.0f ? 0 : 10, 0.01) << "but it is measured";
+    EXPECT_FALSE(checks[1].note.empty());
+    EXPECT_EQ(seen, (std::set<float>{0.25f, 0.5f, 0.75f, 0.95f}));
   }
 }
 

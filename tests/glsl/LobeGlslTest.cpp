@@ -4,6 +4,7 @@
 
 #include <brdf/base/Text.h>
 #include <brdf/check/Cases.h>
+#include <brdf/models/Microfacet.h>
 #include <brdf/models/Model.h>
 #include <brdf/sampling/Sequence.h>
 
@@ -22,6 +23,7 @@ namespace {
 enum class Sharpness { None, Roughness, Exponent, Width };
 Sharpness sharpness(const Parameter& p) {
   if (p.label.find("roughness") != std::string::npos) return Sharpness::Roughness;
+  if (p.label == "inverse width") return Sharpness::Exponent;
   if (p.label.find("exponent") == 0 && p.scale == Parameter::Scale::Logarithmic) return Sharpness::Exponent;
   return p.label == "width" ? Sharpness::Width : Sharpness::None;
 }
@@ -246,6 +248,34 @@ INSTANTIATE_TEST_SUITE_P(ShiftedGamma, PublishedLobe, testing::Values("SGD"),
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryLobe, testing::ValuesIn(test::modelNames()),
                          [](const auto& name) { return name.param; });
+
+// Every distribution, Fresnel and shadowing term, those with integrals in each of their forms. Lobes of a distribution
+// with two widths are stretched by the tests above.
+INSTANTIATE_TEST_SUITE_P(Composed, EveryLobe,
+                         testing::Values("Microfacet_GGX_Dielectric_Smith", "Microfacet_GGX_Conductor_Kelemen",
+                                         "Microfacet_Beckmann_Conductor_Smith",
+                                         "Microfacet_Beckmann_Schlick_SmithSeparable",
+                                         "Microfacet_Phong_Schlick_VGroove", "Microfacet_Phong_Constant_Smith",
+                                         "Microfacet_StudentT_Constant_Smith", "Microfacet_StudentT_Dielectric_Neumann",
+                                         "Microfacet_EPD_Conductor_Smith", "Microfacet_EPD_Schlick_SmithSeparable",
+                                         "Microfacet_ABC_Dielectric_Smith", "Microfacet_ABC_Conductor_SmithSeparable",
+                                         "Microfacet_ABC_Constant_None"),
+                         [](const auto& name) { return name.param; });
+
+TEST(ComposedLobes, NameEveryTerm) {
+  const auto& suite = *testing::UnitTest::GetInstance();
+  std::set<std::string> names;
+  for (int s = 0; s < suite.total_test_suite_count(); ++s)
+    for (int k = 0; k < suite.GetTestSuite(s)->total_test_count(); ++k)
+      names.insert(suite.GetTestSuite(s)->GetTestInfo(k)->name());
+  for (const auto* terms :
+       {&microfacetTerms().distributions, &microfacetTerms().fresnels, &microfacetTerms().shadowings})
+    for (const std::string& term : *terms)
+      EXPECT_TRUE(std::ranges::any_of(names, [&](const std::string& name) {
+        return name.find("Microfacet_") != std::string::npos &&
+               (name + "_").find("_" + term + "_") != std::string::npos;
+      })) << term;
+}
 
 }  // namespace
 }  // namespace brdf

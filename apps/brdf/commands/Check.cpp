@@ -44,6 +44,10 @@ struct Subject {
   std::string name;
   ModelPointer model;
   BrdfPointer material;
+
+  /// The material's lobes; null for a model and for measured data.
+  const LobeSum* lobes() const { return dynamic_cast<const LobeSum*>(material.get()); }
+  bool hasShader() const { return model || lobes(); }
 };
 
 bool isModelFile(const std::string& path) {
@@ -73,12 +77,14 @@ class Shaders {
       reason_ = error.what();
     }
   }
-  Check check(const Model& model, const CheckOptions& options) const {
-    if (!run_) return {"glsl", true, 0, 1, {}, "skipped: " + reason_};
+  /// Of a subject that has a shader.
+  std::vector<Check> checks(const Subject& subject, const CheckOptions& options) const {
+    if (!run_) return {{"glsl", true, 0, 1, {}, "skipped: " + reason_}};
     try {
-      return checkGlsl(model, run_, options);
+      if (subject.model) return {checkGlsl(*subject.model, run_, options)};
+      return checkGlsl(*subject.lobes(), run_, options);
     } catch (const Error& error) {
-      return {"glsl", false, std::numeric_limits<double>::infinity(), 1, {}, error.what()};
+      return {{"glsl", false, std::numeric_limits<double>::infinity(), 1, {}, error.what()}};
     }
   }
 
@@ -195,14 +201,14 @@ void run(const Output& output, const Values& values) {
     progress.update(++count, subjects.size(), subjects[k].name);
   });
   // One OpenGL context, one thread.
-  const bool models = std::any_of(subjects.begin(), subjects.end(), [](const Subject& one) { return one.model; });
-  const Shaders shaders(models && !values.noGlsl);
+  const bool any = std::ranges::any_of(subjects, [](const Subject& one) { return one.hasShader(); });
+  const Shaders shaders(any && !values.noGlsl);
   std::vector<Audit> audits;
   std::size_t checks = 0, failed = 0;
   for (std::size_t k = 0; k < subjects.size(); ++k) {
     if (!done[k]) continue;
-    if (subjects[k].model && !interrupted()) {
-      done[k]->checks.push_back(shaders.check(*subjects[k].model, values.options));
+    if (subjects[k].hasShader() && !interrupted()) {
+      for (Check& check : shaders.checks(subjects[k], values.options)) done[k]->checks.push_back(std::move(check));
       progress.update(k + 1, subjects.size(), subjects[k].name + ", GLSL");
     }
     checks += done[k]->checks.size();
