@@ -1,7 +1,7 @@
 #include "vtkBRDFAuditView.h"
 
+#include "vtkBRDFAlbedoPlot.h"
 #include "vtkBRDFDrawing.h"
-#include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderer.h"
 #include "vtkTable.h"
@@ -70,16 +70,6 @@ double Number(vtkTable* table, vtkIdType row, const char* column)
 std::string Limit(double value)
 {
   return std::isinf(value) ? "any" : NumberText(value, 4);
-}
-
-/** Channels named after a colour have it. */
-Color CurveColor(const std::string& name, std::size_t index)
-{
-  const std::map<std::string, Color> colors = { { "red", { 0.80, 0.15, 0.15 } },
-                                                { "green", { 0.10, 0.55, 0.20 } },
-                                                { "blue", { 0.10, 0.30, 0.80 } } };
-  const auto found = colors.find(name);
-  return found == colors.end() ? PaletteColor(index) : found->second;
 }
 
 /** The values of a column, each once, in order of first appearance. */
@@ -269,90 +259,6 @@ void vtkBRDFAuditView::AddList(const Frame& frame)
   AddRectangles(this->GetRenderer(), chips);
 }
 
-void vtkBRDFAuditView::AddAlbedo(const Frame& frame)
-{
-  vtkTable* table = this->Albedo;
-  CheckColumns(table, { "theta" });
-  const double text = frame.Text;
-  const Point low = { frame.Low[0] + 5 * text, frame.Low[1] + 4 * text };
-  const Point high = { frame.High[0] - 9 * text, frame.High[1] - text };
-  double top = 1.1;
-  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
-  {
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-    {
-      if (std::string(table->GetColumnName(column)) != "theta")
-      {
-        top = std::max(top, 1.05 * table->GetValue(row, column).ToDouble());
-      }
-    }
-  }
-  const auto x = [&](double degrees) { return low[0] + degrees / 90 * (high[0] - low[0]); };
-  const auto y = [&](double value) { return low[1] + value / top * (high[1] - low[1]); };
-  std::vector<Line> axes = { { { x(0), y(0) }, { x(90), y(0) } }, { { x(0), y(0) }, { x(0), y(top) } } };
-  for (int degrees = 0; degrees <= 90; degrees += 15)
-  {
-    axes.push_back({ { x(degrees), y(0) - text / 3 }, { x(degrees), y(0) } });
-    AddText(this->GetRenderer(),
-            std::to_string(degrees) + "\u00b0",
-            { x(degrees), y(0) - text / 2 },
-            { .Size = frame.Text, .Horizontal = Align::Center, .Vertical = Align::High });
-  }
-  for (double value : LinearTicks(0, top, 6))
-  {
-    axes.push_back({ { x(0) - text / 3, y(value) }, { x(0), y(value) } });
-    AddText(this->GetRenderer(),
-            NumberText(value),
-            { x(0) - text / 2, y(value) },
-            { .Size = frame.Text, .Horizontal = Align::High, .Vertical = Align::Center });
-  }
-  AddLines(this->GetRenderer(), axes, Ink, LineWidth(frame.Text));
-  std::vector<Line> bound;
-  for (double degrees = 0; degrees < 90; degrees += 2)
-  {
-    bound.push_back({ { x(degrees), y(1) }, { x(degrees + 1), y(1) } });
-  }
-  AddLines(this->GetRenderer(), bound, FillOf("failed"), LineWidth(frame.Text));
-  AddText(this->GetRenderer(),
-          "white furnace: all light",
-          { high[0] + text / 2, y(1) },
-          { .Size = frame.Text * 3 / 4, .Vertical = Align::Center, .Foreground = FillOf("failed") });
-  AddText(this->GetRenderer(),
-          "angle of the light from the normal, theta_i (degrees)",
-          { x(45), low[1] - 2.2 * text },
-          { .Size = frame.Text, .Horizontal = Align::Center, .Vertical = Align::High });
-  AddText(this->GetRenderer(),
-          "directional albedo",
-          { low[0] - 3.6 * text, y(top / 2) },
-          { .Size = frame.Text, .Horizontal = Align::Center, .Vertical = Align::Low, .Angle = 90 });
-  std::size_t curve = 0;
-  for (vtkIdType column = 0; column < table->GetNumberOfColumns(); ++column)
-  {
-    const std::string name = table->GetColumnName(column);
-    if (name == "theta")
-    {
-      continue;
-    }
-    const Color color = CurveColor(name, curve++);
-    std::vector<Line> lines;
-    Point last = { 0, 0 };
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-    {
-      const Point at = { x(Number(table, row, "theta")), y(table->GetValue(row, column).ToDouble()) };
-      if (row > 0)
-      {
-        lines.push_back({ last, at });
-      }
-      last = at;
-    }
-    AddLines(this->GetRenderer(), lines, color, 2 * LineWidth(frame.Text));
-    AddText(this->GetRenderer(),
-            name,
-            { x(0) + text + 7 * text * static_cast<double>(curve - 1), y(top) + text / 4 },
-            { .Size = frame.Text, .Vertical = Align::High, .Foreground = color, .Bold = true });
-  }
-}
-
 void vtkBRDFAuditView::AddLegend(int width, int text)
 {
   double x = text;
@@ -423,7 +329,8 @@ void vtkBRDFAuditView::Build(int width, int height)
     Frame plot = frame;
     plot.Low[1] = frame.Low[1] + 0.5 * frame.Height();
     frame.High[1] = plot.Low[1] - 0.5 * text;
-    this->AddAlbedo(plot);
+    CheckColumns(this->Albedo, { "theta" });
+    AddAlbedoPlot(this->GetRenderer(), this->Albedo, plot.Low, plot.High, plot.Text, FillOf("failed"));
   }
   this->AddList(frame);
 }

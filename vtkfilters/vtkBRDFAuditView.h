@@ -47,7 +47,6 @@ private:
   struct Frame;
   void AddMatrix(const Frame& frame);
   void AddList(const Frame& frame);
-  void AddAlbedo(const Frame& frame);
   void AddLegend(int width, int text);
 
   vtkSmartPointer<vtkTable> Checks;
