@@ -1,7 +1,9 @@
 #pragma once
 #include <brdf/check/Check.h>
 #include <brdf/color/ColourSettings.h>
+#include <brdf/io/Image.h>
 #include <brdf/measured/ReadOptions.h>
+#include <brdf/render/Scene.h>
 
 #include <array>
 #include <cstddef>
@@ -88,6 +90,11 @@ struct PictureFunctions {
   ErrorResult (*error)(const ErrorPicture&);
   RenderResult (*render)(const RenderPicture&);
   void (*audit)(const AuditPicture&);
+  /// A mesh with normals (made where the file has none, splitting edges sharper than 40 degrees) from a .ply, .obj,
+  /// .stl or .vtp file.
+  TriangleMesh (*readMesh)(const std::string& path);
+  /// Linear radiance (three channels) as the .png that `request` asks for, without its other wishes.
+  void (*writePng)(const Image& radiance, const RenderPicture& request, const std::string& path);
   /// Throws Error::Kind::Device when there is no headless OpenGL. The runner is for one thread at a time.
   GlslRunner (*shaderProbe)();
 };

@@ -17,6 +17,8 @@ namespace brdf::app {
 void drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
 RenderResult drawRender(const RenderPicture& request);
+TriangleMesh readMesh(const std::string& path);
+void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path);
 void drawAudit(const AuditPicture& request);
 GlslRunner shaderProbe();
 

@@ -13,9 +13,12 @@
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
 #include <vtkPNGWriter.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataAlgorithm.h>
+#include <vtkPolyDataNormals.h>
 #include <vtkSTLReader.h>
+#include <vtkTriangleFilter.h>
 #include <vtkXMLPolyDataReader.h>
 
 #include <filesystem>
@@ -90,6 +93,12 @@ void writeExrFile(vtkImageData* radiance, const std::string& path) {
   if (!writer->Write()) throw Error(Error::Kind::File, {writer->GetErrorText()});
 }
 
+std::vector<Direction> directions(vtkDataArray* array) {
+  std::vector<Direction> result(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  for (std::size_t k = 0; k < result.size(); ++k) array->GetTuple(static_cast<vtkIdType>(k), result[k].data());
+  return result;
+}
+
 double meanOf(vtkImageData* image) {
   const auto* values = static_cast<const float*>(image->GetScalarPointer());
   const std::size_t count = static_cast<std::size_t>(image->GetNumberOfPoints()) *
@@ -100,6 +109,45 @@ double meanOf(vtkImageData* image) {
 }
 
 }  // namespace
+
+TriangleMesh readMesh(const std::string& path) {
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(readObject(path));
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> surface = triangles->GetOutput();
+  if (!surface->GetPointData()->GetNormals()) {
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(surface);
+    normals->SetFeatureAngle(40);
+    normals->Update();
+    surface = normals->GetOutput();
+  }
+  TriangleMesh mesh;
+  mesh.points = directions(surface->GetPoints()->GetData());
+  mesh.normals = directions(surface->GetPointData()->GetNormals());
+  mesh.tangents = directions(surface->GetPointData()->GetTangents());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell) {
+    surface->GetCellPoints(cell, corners);
+    auto& triangle = mesh.triangles.emplace_back();
+    for (vtkIdType k = 0; k < 3; ++k)
+      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corners->GetId(k));
+  }
+  return mesh;
+}
+
+void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path) {
+  vtkNew<vtkImageData> picture;
+  const auto width = static_cast<int>(radiance.width), height = static_cast<int>(radiance.height);
+  picture->SetDimensions(width, height, 1);
+  picture->AllocateScalars(VTK_FLOAT, 3);
+  for (int y = 0; y < height; ++y)  // VTK's rows go up
+    std::copy_n(radiance.pixel(0, static_cast<std::size_t>(height - 1 - y)), 3 * radiance.width,
+                static_cast<float*>(picture->GetScalarPointer(0, y, 0)));
+  writePng(picture, request, path);
+}
 
 RenderResult drawRender(const RenderPicture& request) {
   vtkNew<vtkBRDFRender> render;
