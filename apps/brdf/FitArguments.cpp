@@ -41,7 +41,7 @@ void FitArguments::declare(Arguments& arguments) {
   arguments.option("--lobes", lobes_, "SUM",
                    "Lobes to fit; parameters written there are starting values [" + lobes_ + "]");
   arguments.choice("--optimizer", options_.optimizer, optimizerNames(), "How the shape parameters are searched");
-  arguments.choice("--metric", options_.metric, metricNames(), "What is minimised");
+  arguments.option("--metric", options_.metric, "NAME", metricHelp("What is minimised", options_.metric));
   arguments.option("--channels", channels_, "LIST",
                    "luminance, rgb, spectral (the data's own) or numbers from 0 as in 0,3,5 [spectral]");
   arguments.choice("--strategy", strategy_, {"automatic", "separable", "joint"},
@@ -67,6 +67,7 @@ void FitArguments::resolve() {
                       : strategy_ == "joint"   ? Strategy::Joint
                                                : Strategy::Automatic;
   options_.combination = combination_ == "shared" ? Combination::Shared : Combination::PerChannel;
+  checkMetric(options_.metric);
   requests_ = fromOption("--lobes", [&] { return parseLobeRequests(lobes_); });
   for (const std::string& text : fixed_) fromOption("--fix", [&] { holdParameter(requests_, text); });
 }

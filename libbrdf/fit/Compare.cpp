@@ -1,7 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/fit/Compare.h>
-#include <brdf/fit/FitData.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/material/SampleSet.h>
@@ -36,53 +35,45 @@ class HemispherePairs : public SampleSet {
     }
     if (values) std::fill_n(values, channels_.count() * length, 0.0);
   }
+  bool solidAngles(std::size_t, std::size_t length, double* measures) const override {
+    std::fill_n(measures, length, 1.0);
+    return true;
+  }
   static constexpr std::size_t kCosines = 48, kAzimuths = 96;
 
  private:
   Channels channels_;
 };
 
-/// For each metric: sum of squares of g(a) - g(b), and of g(b).
+/// For each metric: weighted sums of squared residuals of a, of 0, and of the weights.
 struct MetricSums {
   std::vector<double> difference, zero;
+  double weight = 0, solidAngle = 0;  ///< sums of the samples' weights, plain and by solid angle
   std::size_t samples = 0;
 };
 
-MetricSums sumBlock(const SampleSet& samples, std::size_t first, std::size_t last, const Brdf& a, const Brdf* b,
-                    double minimum) {
-  const std::size_t channels = samples.channels().count();
-  std::size_t length = last - first;
-  DirectionPairBuffer<double> pairs;
-  std::vector<double> valuesB(channels * length), valuesA(channels * length);
-  std::vector<std::uint8_t> valid(length), validEvaluated(length);
-  samples.read(first, length, &pairs, valuesB.data(), valid.data());
-  const auto alsoValid = [&] {
-    for (std::size_t i = 0; i < length; ++i) valid[i] = valid[i] && validEvaluated[i];
-  };
-  a.evaluate(pairs.view(), valuesA.data(), validEvaluated.data());
-  alsoValid();
-  if (b) {
-    b->evaluate(pairs.view(), valuesB.data(), validEvaluated.data());
-    alsoValid();
-  }
-  // Both sets of values are packed together, as planes of one array.
-  std::vector<double> both(2 * channels * length);
-  std::ranges::copy(valuesA, both.begin());
-  std::ranges::copy(valuesB, both.begin() + static_cast<std::ptrdiff_t>(channels * length));
-  const std::size_t kept = packValid(pairs, both.data(), 2 * channels, valid.data(), minimum);
-
+MetricSums sumBlock(const SampleBlock& block, std::size_t channels, std::size_t firstPlane,
+                    const std::vector<MetricPointer>& metrics, bool allWeighted) {
   MetricSums sums;
-  sums.samples = kept;
-  std::vector<double> ga(kept), gb(kept);
-  for (const Metric& metric : allMetrics()) {
+  sums.samples = block.count;
+  for (std::size_t i = 0; i < block.count; ++i) sums.solidAngle += block.weights.empty() ? 1 : block.weights[i];
+  sums.weight = allWeighted ? sums.solidAngle : static_cast<double>(block.count);
+  const DirectionPairs<double> pairs = block.view();
+  std::vector<double> target(block.count), residual(block.count), none(block.count);
+  for (const MetricPointer& metric : metrics) {
+    const double* weights = allWeighted || metric->bySolidAngle() ? block.weights.data() : nullptr;
+    const auto squared = [&](const double* f) {
+      metric->residual(f, target.data(), pairs, residual.data());
+      double sum = 0;
+      for (std::size_t i = 0; i < block.count; ++i) sum += (weights ? weights[i] : 1) * residual[i] * residual[i];
+      return sum;
+    };
     double difference = 0, zero = 0;
     for (std::size_t c = 0; c < channels; ++c) {
-      metric.transform(both.data() + c * length, pairs.wi[2].data(), kept, ga.data());
-      metric.transform(both.data() + (channels + c) * length, pairs.wi[2].data(), kept, gb.data());
-      for (std::size_t i = 0; i < kept; ++i) {
-        difference += (ga[i] - gb[i]) * (ga[i] - gb[i]);
-        zero += gb[i] * gb[i];
-      }
+      // The planes: the set's own values, a's, b's where it has any; b's values are the last.
+      metric->prepare(block.values.data() + (firstPlane + c) * block.stride, pairs, target.data());
+      difference += squared(block.values.data() + (channels + c) * block.stride);
+      zero += squared(none.data());
     }
     sums.difference.push_back(difference);
     sums.zero.push_back(zero);
@@ -94,33 +85,58 @@ BrdfPointer borrowed(const Brdf& brdf) { return BrdfPointer(BrdfPointer(), &brdf
 
 }  // namespace
 
-Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, double maximumTheta) {
-  const std::size_t grain = 2048, count = samples.count();
-  const double minimum = minimumCosine(maximumTheta);
+Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, const SampleRule& rule,
+                     const MetricPointer& metric) {
+  const std::size_t grain = 2048, count = samples.count(), channels = samples.channels().count();
+  double unused = 0;
+  const bool hasCells = count > 0 && samples.solidAngles(0, 1, &unused);
+  std::vector<MetricPointer> metrics;
+  for (MetricPointer one : allMetrics()) {
+    if (one->bySolidAngle() && !hasCells) continue;
+    if (metric && metric->name() == one->name()) one = metric;
+    if (one->needsScale()) one = one->scaledTo(typicalValue(samples, b, rule.maximumTheta));
+    metrics.push_back(std::move(one));
+  }
+  const auto known = [&](const MetricPointer& one) { return one->name() == metric->name(); };
+  if (metric && std::ranges::none_of(metrics, known)) metrics.push_back(metric);
+
   std::vector<MetricSums> parts((count + grain - 1) / grain);
   parallelFor(count, grain, [&](std::size_t first, std::size_t last) {
-    parts[first / grain] = sumBlock(samples, first, last, a, b, minimum);
+    const SampleBlock block = b ? readSamples(samples, first, last - first, rule.maximumTheta, hasCells, {&a, b})
+                                : readSamples(samples, first, last - first, rule.maximumTheta, hasCells, {&a});
+    parts[first / grain] = sumBlock(block, channels, b ? 2 * channels : 0, metrics, rule.solidAngles);
   });
   Comparison comparison;
-  comparison.channels = samples.channels().count();
-  for (const MetricSums& part : parts) comparison.samples += part.samples;
+  comparison.channels = channels;
+  double weight = 0, solidAngle = 0;
+  for (const MetricSums& part : parts) {
+    comparison.samples += part.samples;
+    weight += part.weight;
+    solidAngle += part.solidAngle;
+  }
   if (comparison.samples == 0)
     throw Error(Error::Kind::Value, {"no valid sample to compare on", a.description(), "0", "at least 1"});
-  const double n = static_cast<double>(comparison.samples) * static_cast<double>(comparison.channels);
-  for (std::size_t m = 0; m < allMetrics().size(); ++m) {
+  for (std::size_t m = 0; m < metrics.size(); ++m) {
     double difference = 0, zero = 0;
     for (const MetricSums& part : parts) {
       difference += part.difference[m];
       zero += part.zero[m];
     }
-    const std::string name(allMetrics()[m].name);
-    comparison.metrics[name] = std::sqrt(difference / n);
-    comparison.zeroModel[name] = std::sqrt(zero / n);
+    if (metrics[m]->partial() && !std::isfinite(difference + zero))
+      throw Error(Error::Kind::Value, {"the metric has no finite value on these samples", metrics[m]->name(), "",
+                                       "a formula that is finite at every value of both, as with max(f, 0)"});
+    const double total = rule.totalWeight.value_or(metrics[m]->bySolidAngle() ? solidAngle : weight);
+    const double n = total * static_cast<double>(channels);
+    comparison.metrics[metrics[m]->name()] = std::sqrt(difference / n);
+    comparison.zeroModel[metrics[m]->name()] = std::sqrt(zero / n);
+    comparison.formulas[metrics[m]->name()] = metrics[m]->formula();
   }
   return comparison;
 }
 
-Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta) {
+Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::string_view metricText) {
+  const MetricPointer metric = metricText.empty() ? nullptr : findMetric(metricText);
+  const SampleRule rule{maximumTheta, false, {}};
   BrdfPointer first = borrowed(a), second = borrowed(b);
   if (first->channels() != second->channels()) {
     // The common view: luminance when either has one channel, else colour.
@@ -129,17 +145,17 @@ Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta) {
     second = luminance ? asLuminance(second) : asRgb(second);
   }
   if (const SampleSet* samples = second->samples()) {
-    Comparison comparison = compareOn(*samples, *first, nullptr, maximumTheta);
+    Comparison comparison = compareOn(*samples, *first, nullptr, rule, metric);
     comparison.sampling = "the samples of the second, " + second->description();
     return comparison;
   }
   if (const SampleSet* samples = first->samples()) {
-    Comparison comparison = compareOn(*samples, *first, second.get(), maximumTheta);
+    Comparison comparison = compareOn(*samples, *first, second.get(), rule, metric);
     comparison.sampling = "the samples of the first, " + first->description();
     return comparison;
   }
   const HemispherePairs pairs(first->channels());
-  Comparison comparison = compareOn(pairs, *first, second.get(), maximumTheta);
+  Comparison comparison = compareOn(pairs, *first, second.get(), rule, metric);
   comparison.sampling = std::to_string(HemispherePairs::kCosines) + " x " + std::to_string(HemispherePairs::kCosines) +
                         " x " + std::to_string(HemispherePairs::kAzimuths) +
                         " pairs of directions in equal solid angles of both hemispheres";

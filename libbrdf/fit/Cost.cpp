@@ -15,11 +15,16 @@ constexpr std::size_t kBlock = 512;
 
 double zeroError(const FitData& data, ChannelRange channels) {
   double sum = 0;
+  std::vector<double> residual, zero;
   for (const FitChunk& chunk : data.chunks) {
     const std::size_t count = chunk.pairs.size();
     double part = 0;
-    for (std::size_t c = channels.first; c < channels.first + channels.count; ++c)
-      addProducts(chunk.target.data() + c * count, 1, chunk.target.data() + c * count, count, &part);
+    zero.resize(count);
+    residual.resize(count);
+    for (std::size_t c = channels.first; c < channels.first + channels.count; ++c) {
+      data.block(chunk, c).residual(zero.data(), residual.data());
+      addProducts(residual.data(), 1, residual.data(), count, &part);
+    }
     sum += part;
   }
   return sum;
@@ -76,29 +81,29 @@ SeparableCost::SeparableCost(const FitProblem& problem, const FitData& data, Cha
       scales_(initialScales(problem, channels.count)),
       bestScales_(scales_) {}
 
-SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool derivatives) const {
-  const std::size_t lobes = problem_.lobeCount(), channels = channels_.count;
+SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool derivatives, ChannelRange range) const {
+  const std::size_t lobes = problem_.lobeCount(), channels = range.count;
   const std::size_t m = lobes + (derivatives ? problem_.coordinates().size() : 0);
   const std::vector<std::vector<double>> parameters = problem_.parameters(x);
   Sums sums;
   sums.m = m;
   sums.all = sumOverChunks(data_, m * m + channels * (m + 1), [&](const FitChunk& chunk, double* out) {
     const std::size_t total = chunk.pairs.size();
-    std::vector<double> columns(m * kBlock), scratch, weight(kBlock), residual(kBlock);
-    const DirectionPairs<double> pairs = chunk.pairs.view();
+    std::vector<double> columns(m * kBlock), scratch, residual(kBlock);
     for (std::size_t first = 0; first < total; first += kBlock) {
       const std::size_t count = std::min(kBlock, total - first);
-      const DirectionPairs<double> block = pairs.slice(first, count);
-      problem_.evaluate(block, parameters, derivatives, scratch, columns.data());
-      data_.metric->derivative(columns.data(), block.wi[2], count, weight.data());
-      for (std::size_t k = 0; k < m; ++k)
-        for (std::size_t i = 0; i < count; ++i) columns[k * count + i] *= weight[i];
+      const ResidualBlock block = data_.block(chunk, range.first, first, count);
+      problem_.evaluate(block.pairs, parameters, derivatives, scratch, columns.data());
+      if (block.factor)
+        for (std::size_t k = 0; k < m; ++k)
+          for (std::size_t i = 0; i < count; ++i) columns[k * count + i] *= block.factor[i];
       addGram(columns.data(), m, count, out);
       for (std::size_t c = 0; c < channels; ++c) {
-        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
+        const double* target = chunk.target.data() + (range.first + c) * total + first;
+        const double* scales = scales_.data() + (range.first - channels_.first + c) * lobes;
         for (std::size_t i = 0; i < count; ++i) residual[i] = -target[i];
         for (std::size_t l = 0; l < lobes; ++l)
-          if (const double scale = scales_[c * lobes + l]; scale != 0)
+          if (const double scale = scales[l]; scale != 0)
             for (std::size_t i = 0; i < count; ++i) residual[i] += scale * columns[l * count + i];
         addProducts(columns.data(), m, residual.data(), count, out + m * m + c * m);
         addProducts(residual.data(), 1, residual.data(), count, out + m * m + channels * m + c);
@@ -109,17 +114,14 @@ SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool de
   return sums;
 }
 
-NormalEquations SeparableCost::project(const Sums& sums, bool derivatives) {
-  const std::size_t lobes = problem_.lobeCount(), m = sums.m, shapes = derivatives ? m - lobes : 0;
+void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquations& equations) {
+  const std::size_t lobes = problem_.lobeCount(), m = sums.m, shapes = equations.gradient.size();
   const double* gram = sums.gram();
-  NormalEquations equations;
-  equations.gradient.assign(shapes, 0.0);
-  equations.matrix.assign(shapes * shapes, 0.0);
   std::vector<double> a(lobes * lobes), b(lobes), lower(lobes), upper(lobes);
   std::vector<double> residualProducts(shapes), reduced(shapes * lobes);
-  for (std::size_t c = 0; c < channels_.count; ++c) {
+  for (std::size_t c = 0; c < range.count; ++c) {
     const double* cross = sums.cross(c);
-    double* scale = scales_.data() + c * lobes;
+    double* scale = scales_.data() + (range.first - channels_.first + c) * lobes;
     for (std::size_t l = 0; l < lobes; ++l) {
       for (std::size_t k = 0; k < lobes; ++k) a[l * lobes + k] = gram[l * m + k];
       b[l] = -cross[l];
@@ -128,7 +130,7 @@ NormalEquations SeparableCost::project(const Sums& sums, bool derivatives) {
       upper[l] = held ? 0 : std::numeric_limits<double>::infinity();
     }
     const std::vector<double> change = minimizeInBox(a, b, lower, upper);
-    double squared = sums.squared(c, channels_.count);
+    double squared = sums.squared(c, range.count);
     std::vector<std::size_t> freeLobes;
     for (std::size_t l = 0; l < lobes; ++l) {
       double row = 2 * cross[l];
@@ -174,27 +176,37 @@ NormalEquations SeparableCost::project(const Sums& sums, bool derivatives) {
       }
     }
   }
-  return equations;
 }
 
 NormalEquations SeparableCost::evaluate(std::span<const double> x, bool derivatives) {
   // Two passes where the scales move so far that the residual is what is left of a difference of large numbers.
   constexpr double kCancellation = 1e-6;
+  const std::size_t shapes = derivatives ? problem_.coordinates().size() : 0;
+  // Channels that share their factors share the Gram matrix; else each has its own.
+  const std::size_t together = data_.factorsByChannel() ? 1 : channels_.count;
   for (int pass = 0;; ++pass) {
-    const Sums sums = accumulate(x, derivatives);
+    std::vector<Sums> groups;
     double before = 0;
-    for (std::size_t c = 0; c < channels_.count; ++c) before += sums.squared(c, channels_.count);
-    if (!std::isfinite(before) || !std::ranges::all_of(sums.all, [](double v) { return std::isfinite(v); })) {
+    bool finite = true;
+    for (std::size_t first = 0; first < channels_.count; first += together) {
+      const Sums& sums = groups.emplace_back(accumulate(x, derivatives, {channels_.first + first, together}));
+      for (std::size_t c = 0; c < together; ++c) before += sums.squared(c, together);
+      finite = finite && std::ranges::all_of(sums.all, [](double v) { return std::isfinite(v); });
+    }
+    NormalEquations equations;
+    if (!finite || !std::isfinite(before)) {
       // Scales that a useless trial spoiled are not carried on.
       scales_ = initialScales(problem_, channels_.count);
       if (pass > 0 || before == zeroError_) {
-        NormalEquations none;
-        none.squaredError = std::numeric_limits<double>::infinity();
-        return none;
+        equations.squaredError = std::numeric_limits<double>::infinity();
+        return equations;
       }
       continue;
     }
-    NormalEquations equations = project(sums, derivatives);
+    equations.gradient.assign(shapes, 0.0);
+    equations.matrix.assign(shapes * shapes, 0.0);
+    for (std::size_t k = 0; k < groups.size(); ++k)
+      project(groups[k], {channels_.first + k * together, together}, equations);
     if (pass == 0 && equations.squaredError < kCancellation * before) continue;
     if (equations.squaredError < bestError_) {
       bestError_ = equations.squaredError;
@@ -263,15 +275,12 @@ double JointCost::squaredError(std::span<const double> x) {
     std::vector<double> columns(lobes * kBlock), scratch, model(kBlock), residual(kBlock);
     for (std::size_t first = 0; first < total; first += kBlock) {
       const std::size_t count = std::min(kBlock, total - first);
-      const DirectionPairs<double> block = chunk.pairs.view().slice(first, count);
-      problem_.evaluate(block, parameters, false, scratch, columns.data());
+      problem_.evaluate(chunk.pairs.view().slice(first, count), parameters, false, scratch, columns.data());
       for (std::size_t c = 0; c < channels_.count; ++c) {
         std::fill_n(model.data(), count, 0.0);
         for (std::size_t l = 0; l < lobes; ++l)
           for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
-        data_.metric->transform(model.data(), block.wi[2], count, residual.data());
-        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
-        for (std::size_t i = 0; i < count; ++i) residual[i] -= target[i];
+        data_.block(chunk, channels_.first + c, first, count).residual(model.data(), residual.data());
         addProducts(residual.data(), 1, residual.data(), count, out);
       }
     }
@@ -288,17 +297,14 @@ NormalEquations JointCost::normalEquations(std::span<const double> x) {
     std::vector<double> columns((m - 1) * kBlock), scratch, model(kBlock), slope(kBlock), own(m * kBlock);
     for (std::size_t first = 0; first < total; first += kBlock) {
       const std::size_t count = std::min(kBlock, total - first);
-      const DirectionPairs<double> block = chunk.pairs.view().slice(first, count);
-      problem_.evaluate(block, parameters, true, scratch, columns.data());
+      problem_.evaluate(chunk.pairs.view().slice(first, count), parameters, true, scratch, columns.data());
       for (std::size_t c = 0; c < channels_.count; ++c) {
         std::fill_n(model.data(), count, 0.0);
         for (std::size_t l = 0; l < lobes; ++l)
           for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
-        data_.metric->derivative(model.data(), block.wi[2], count, slope.data());
-        double* residual = own.data() + (m - 1) * count;
-        data_.metric->transform(model.data(), block.wi[2], count, residual);
-        const double* target = chunk.target.data() + (channels_.first + c) * total + first;
-        for (std::size_t i = 0; i < count; ++i) residual[i] -= target[i];
+        const ResidualBlock block = data_.block(chunk, channels_.first + c, first, count);
+        block.slope(model.data(), slope.data());
+        block.residual(model.data(), own.data() + (m - 1) * count);
         for (std::size_t k = 0; k + 1 < m; ++k) {
           const double factor = k < lobes ? 1.0 : scales[c * lobes + problem_.coordinates()[k - lobes].lobe];
           for (std::size_t i = 0; i < count; ++i) own[k * count + i] = factor * slope[i] * columns[k * count + i];

@@ -40,9 +40,11 @@ class BRDF_EXPORT SeparableCost : public CostFunction {
 
  private:
   struct Sums;
-  Sums accumulate(std::span<const double> x, bool derivatives) const;
+  /// The sums over channels that share their factors.
+  Sums accumulate(std::span<const double> x, bool derivatives, ChannelRange range) const;
   NormalEquations evaluate(std::span<const double> x, bool derivatives);
-  NormalEquations project(const Sums& sums, bool derivatives);
+  /// Moves the scales of these channels to their minimum and adds the channels to the equations.
+  void project(const Sums& sums, ChannelRange range, NormalEquations& equations);
 
   const FitProblem& problem_;
   const FitData& data_;

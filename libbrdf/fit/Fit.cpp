@@ -74,7 +74,7 @@ class Fitter {
  private:
   Solution run(const Optimizer& optimizer, const FitData& data, ChannelRange channels, std::vector<double> start,
                const Scales& scales) {
-    const double residuals = static_cast<double>(data.samples * channels.count);
+    const double residuals = data.totalWeight * static_cast<double>(channels.count);
     OptimizerOptions options;
     options.tolerance = options_.tolerance;
     options.maximumIterations = options_.maximumIterations;
@@ -116,11 +116,13 @@ std::string percent(double fraction) { return formatNumber(100 * fraction, 3) + 
 
 FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, const FitOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  const Metric& metric = findMetric(options.metric);
+  const MetricPointer metric = findMetric(options.metric);
   findOptimizer(options.optimizer);
-  if (options.strategy == Strategy::Separable && !metric.quadratic)
-    throw Error(Error::Kind::Value, {"the separable strategy needs a metric that is quadratic in the BRDF", "strategy",
-                                     "separable with metric " + options.metric, "joint"});
+  if (options.strategy == Strategy::Separable && !metric->quadratic())
+    throw Error(Error::Kind::Value,
+                {"the separable strategy needs a metric that is quadratic in the BRDF: only then are the best scale "
+                 "factors a linear least-squares problem",
+                 "strategy", "separable with metric " + options.metric, "joint"});
   if (!(options.tolerance > 0))
     throw Error(Error::Kind::Value,
                 {"tolerance out of bounds", "tolerance", formatNumber(options.tolerance), "above 0"});
@@ -132,14 +134,16 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   if (!samples)
     throw Error(Error::Kind::Value,
                 {"the target has no samples to fit", "target", target.description(), "measured data"});
-  const FitData data = FitData::read(*samples, metric, options.maximumTheta);
+  const SampleRule rule{options.maximumTheta, false, {}};
+  const FitData data = FitData::read(*samples, metric, rule);
   if (data.samples == 0)
     throw Error(Error::Kind::Value, {"the target has no valid sample", "target", target.description(), "at least 1"});
 
   const FitProblem problem(requests, seen->symmetry());
-  const bool separable = options.strategy != Strategy::Joint && metric.quadratic;
+  const bool separable = options.strategy != Strategy::Joint && metric->quadratic();
   FitReport report;
-  report.metric = options.metric;
+  report.metric = metric->name();
+  report.metricFormula = data.metric->formula();
   report.optimizer = options.optimizer;
   report.strategy = separable ? "separable" : "joint";
   report.samples = data.samples;
@@ -170,7 +174,7 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   }
   report.material = std::make_shared<LobeSum>(std::move(lobes), seen->channels());
 
-  Comparison errors = compareOn(*samples, *report.material, nullptr, options.maximumTheta);
+  Comparison errors = compareOn(*samples, *report.material, nullptr, rule, data.metric);
   report.metrics = std::move(errors.metrics);
   report.zeroModel = std::move(errors.zeroModel);
   report.error = report.metrics.at(report.metric);

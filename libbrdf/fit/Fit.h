@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brdf {
@@ -37,7 +38,8 @@ struct FitChannels {
 };
 
 struct FitOptions {
-  std::string metric = "rms";    ///< name in metricNames()
+  /// A name in metricNames(), or one with an argument: "relative:FLOOR", "huber:DELTA", "formula:TEXT" (findMetric).
+  std::string metric = "rms";
   std::string optimizer = "lm";  ///< name in optimizerNames()
   Strategy strategy = Strategy::Automatic;
   Combination combination = Combination::Shared;
@@ -71,6 +73,7 @@ struct FittedParameter {
 struct FitReport {
   std::shared_ptr<const LobeSum> material;  ///< the fit
   std::string metric;
+  std::string metricFormula;  ///< the residual whose mean square is minimised, f the fit's and t the target's value
   std::string optimizer;
   std::string strategy;
   double error = 0;                         ///< in the metric asked for
@@ -95,16 +98,19 @@ BRDF_EXPORT FitReport fit(const Brdf& target, const std::vector<LobeRequest>& lo
 BRDF_EXPORT std::vector<std::string> metricNames();
 BRDF_EXPORT std::vector<std::string> optimizerNames();
 
-/// Differences between two BRDFs by every metric (means over samples and channels, unweighted), on b's samples when b
-/// has any, else on a's, else on a quadrature of the hemisphere pairs; `zeroModel` is b against 0.
+/// Differences between two BRDFs by every metric (means over samples and channels, unweighted but for metrics that say
+/// otherwise), on b's samples when b has any, else on a's, else on a quadrature of the hemisphere pairs; `zeroModel` is
+/// b against 0. Metrics by solid angle are left out where the samples have no cells.
 struct Comparison {
   std::map<std::string, double> metrics;
   std::map<std::string, double> zeroModel;
+  std::map<std::string, std::string> formulas;  ///< of the residual, f being a and t b, with the numbers in use
   std::size_t samples = 0;
   std::size_t channels = 0;
   std::string sampling;  ///< where the samples come from, in words
 };
-BRDF_EXPORT Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta = 90);
+/// `metric`: one to judge by besides metricNames(), as FitOptions::metric, or empty.
+BRDF_EXPORT Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta = 90, std::string_view metric = {});
 
 /// The target seen through other channels: luminance (one channel), rgb, or a list of the target's own.
 /// Luminance of spectral data is sum(f ybar) / sum(ybar) over its wavelengths (equal energy, CIE 1931 2-degree);

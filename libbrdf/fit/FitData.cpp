@@ -1,4 +1,6 @@
+#include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
+#include <brdf/base/Text.h>
 #include <brdf/fit/FitData.h>
 #include <brdf/geometry/Directions.h>
 
@@ -8,65 +10,140 @@
 namespace brdf {
 namespace {
 
-/// A well-mixed 64-bit value of a counter (Steele, Lea, Flood 2014, "Fast Splittable Pseudorandom Number Generators").
-std::uint64_t mixed(std::uint64_t z) {
-  z += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
+/// Sets the target and the factors of a chunk whose pairs and weights are there.
+void setTarget(const Metric& metric, FitChunk& chunk, const double* values, std::size_t channels, std::size_t stride) {
+  const std::size_t count = chunk.pairs.size();
+  const DirectionPairs<double> pairs = chunk.pairs.view();
+  chunk.target.resize(channels * count);
+  for (std::size_t c = 0; c < channels; ++c)
+    metric.prepare(values + c * stride, pairs, chunk.target.data() + c * count);
+  if (!metric.quadratic()) return;
+  const std::size_t planes = metric.weighsByTarget() ? channels : 1;
+  chunk.factor.resize(planes * count);
+  for (std::size_t c = 0; c < planes; ++c) {
+    double* factor = chunk.factor.data() + c * count;
+    metric.slope(chunk.target.data() + c * count, chunk.target.data() + c * count, pairs, factor);
+    if (!chunk.weight.empty())
+      for (std::size_t i = 0; i < count; ++i) factor[i] *= chunk.weight[i];
+  }
+  if (std::ranges::all_of(chunk.factor, [](double factor) { return factor == 1; })) {
+    chunk.factor = {};
+    return;
+  }
+  for (std::size_t c = 0; c < channels; ++c)
+    for (std::size_t i = 0; i < count; ++i)
+      chunk.target[c * count + i] *= chunk.factor[(planes > 1 ? c * count : 0) + i];
+}
+
+/// Throws where the residual of a sample at its own value is not finite: a user's formula may have no value there.
+void checkFinite(const FitData& data, const FitChunk& chunk) {
+  const std::size_t count = chunk.pairs.size();
+  std::vector<double> values(count), residuals(count);
+  for (std::size_t c = 0; c < data.channels; ++c) {
+    const ResidualBlock block = data.block(chunk, c);
+    block.values(values.data());
+    block.residual(values.data(), residuals.data());
+    for (std::size_t i = 0; i < count; ++i)
+      if (!std::isfinite(residuals[i]))
+        throw Error(Error::Kind::Value,
+                    {"the metric has no finite value at a sample of the target", data.metric->name(),
+                     "f = " + formatNumber(values[i], 4) + "/sr at theta_i " +
+                         formatNumber(degrees(std::acos(std::min(1.0, chunk.pairs.wi[2][i]))), 4) + " degrees",
+                     "a formula that is finite at every target value, as with max(f, 0)"});
+  }
 }
 
 }  // namespace
 
-double minimumCosine(double maximumTheta) { return maximumTheta >= 90 ? 0 : std::cos(radians(maximumTheta)) - 1e-12; }
-
-std::size_t packValid(DirectionPairBuffer<double>& pairs, double* values, std::size_t channels,
-                      const std::uint8_t* valid, double minimum) {
-  const std::size_t length = pairs.size();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < length; ++i) {
-    const double ci = pairs.wi[2][i], co = pairs.wo[2][i];
-    if (!valid[i] || !(ci > 0 && co > 0 && ci >= minimum && co >= minimum)) continue;
-    if (kept != i) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
-        pairs.wi[axis][kept] = pairs.wi[axis][i];
-        pairs.wo[axis][kept] = pairs.wo[axis][i];
-      }
-      for (std::size_t channel = 0; channel < channels; ++channel)
-        values[channel * length + kept] = values[channel * length + i];
-    }
-    ++kept;
+void ResidualBlock::residual(const double* f, double* r) const {
+  if (metric->quadratic()) {
+    if (factor)
+      for (std::size_t i = 0; i < pairs.count; ++i) r[i] = factor[i] * f[i] - target[i];
+    else
+      for (std::size_t i = 0; i < pairs.count; ++i) r[i] = f[i] - target[i];
+    return;
   }
-  return kept;
+  metric->residual(f, target, pairs, r);
+  if (weight)
+    for (std::size_t i = 0; i < pairs.count; ++i) r[i] *= weight[i];
 }
 
-FitData FitData::read(const SampleSet& set, const Metric& metric, double maximumTheta) {
+void ResidualBlock::slope(const double* f, double* slope) const {
+  if (metric->quadratic()) {
+    if (factor)
+      std::copy_n(factor, pairs.count, slope);
+    else
+      std::fill_n(slope, pairs.count, 1.0);
+    return;
+  }
+  metric->slope(f, target, pairs, slope);
+  if (weight)
+    for (std::size_t i = 0; i < pairs.count; ++i) slope[i] *= weight[i];
+}
+
+void ResidualBlock::values(double* f) const {
+  metric->restore(target, pairs, f);
+  if (factor)
+    for (std::size_t i = 0; i < pairs.count; ++i) f[i] = factor[i] != 0 ? f[i] / factor[i] : 0.0;
+}
+
+ResidualBlock FitData::block(const FitChunk& chunk, std::size_t channel, std::size_t first, std::size_t count) const {
+  const std::size_t total = chunk.pairs.size();
+  const auto plane = [&](const std::vector<double>& all, std::size_t index) {
+    return all.empty() ? nullptr : all.data() + index * total + first;
+  };
+  return {metric.get(), chunk.pairs.view().slice(first, count), plane(chunk.target, channel), plane(chunk.weight, 0),
+          plane(chunk.factor, factorsByChannel() ? channel : 0)};
+}
+
+FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRule& rule) {
+  if (metric->needsScale()) metric = metric->scaledTo(typicalValue(set, nullptr, rule.maximumTheta));
   FitData data;
-  data.metric = &metric;
+  data.metric = std::move(metric);
   data.channels = set.channels().count();
+  const bool weighted = rule.solidAngles || data.metric->bySolidAngle();
   const std::size_t count = set.count();
   data.chunks.resize((count + kChunkLength - 1) / kChunkLength);
-  const double minimum = minimumCosine(maximumTheta);
-  parallelFor(count, kChunkLength, [&](std::size_t first, std::size_t last) {
-    const std::size_t length = last - first;
-    FitChunk& chunk = data.chunks[first / kChunkLength];
-    DirectionPairBuffer<double> pairs(length);
-    std::vector<double> values(data.channels * length);
-    std::vector<std::uint8_t> valid(length);
-    set.read(first, length, &pairs, values.data(), valid.data());
-    const std::size_t kept = packValid(pairs, values.data(), data.channels, valid.data(), minimum);
-    chunk.pairs.resize(kept);
+  std::vector<SampleBlock> blocks(weighted ? data.chunks.size() : 0);  // their weights are known when all are read
+  const auto fill = [&](const SampleBlock& block, FitChunk& chunk, double weightFactor) {
+    chunk.pairs.resize(block.count);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::copy_n(pairs.wi[axis].data(), kept, chunk.pairs.wi[axis].data());
-      std::copy_n(pairs.wo[axis].data(), kept, chunk.pairs.wo[axis].data());
+      std::copy_n(block.pairs.wi[axis].data(), block.count, chunk.pairs.wi[axis].data());
+      std::copy_n(block.pairs.wo[axis].data(), block.count, chunk.pairs.wo[axis].data());
     }
-    chunk.target.resize(data.channels * kept);
-    for (std::size_t channel = 0; channel < data.channels; ++channel)
-      metric.transform(values.data() + channel * length, pairs.wi[2].data(), kept,
-                       chunk.target.data() + channel * kept);
+    if (weighted) {
+      chunk.weight.resize(block.count);
+      for (std::size_t i = 0; i < block.count; ++i) chunk.weight[i] = std::sqrt(weightFactor * block.weights[i]);
+    }
+    setTarget(*data.metric, chunk, block.values.data(), data.channels, block.stride);
+    if (data.metric->partial()) checkFinite(data, chunk);
+  };
+  parallelFor(count, kChunkLength, [&](std::size_t first, std::size_t last) {
+    SampleBlock block = readSamples(set, first, last - first, rule.maximumTheta, weighted);
+    if (weighted)
+      blocks[first / kChunkLength] = std::move(block);
+    else
+      fill(block, data.chunks[first / kChunkLength], 1);
   });
+  if (weighted) {
+    double sum = 0;
+    for (const SampleBlock& block : blocks) {
+      data.samples += block.count;
+      for (std::size_t i = 0; i < block.count; ++i) sum += block.weights[i];
+    }
+    const double samples = static_cast<double>(data.samples);
+    const double factor = rule.totalWeight || !(sum > 0) ? 1 : samples / sum;
+    parallelFor(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        fill(blocks[k], data.chunks[k], factor);
+        blocks[k] = {};
+      }
+    });
+    data.samples = 0;
+  }
   std::erase_if(data.chunks, [](const FitChunk& chunk) { return chunk.pairs.size() == 0; });
   for (const FitChunk& chunk : data.chunks) data.samples += chunk.pairs.size();
+  data.totalWeight = rule.totalWeight.value_or(static_cast<double>(data.samples));
   return data;
 }
 
@@ -75,17 +152,24 @@ FitData FitData::subset(std::size_t count) const {
   data.metric = metric;
   data.channels = channels;
   data.samples = std::min(count, samples);
+  data.totalWeight = samples > 0 ? totalWeight * static_cast<double>(data.samples) / static_cast<double>(samples) : 0;
   std::vector<std::size_t> picks(data.samples);
   for (std::size_t k = 0; k < data.samples; ++k) {
     const std::size_t first = k * samples / data.samples, last = (k + 1) * samples / data.samples;
-    picks[k] = first + mixed(k) % (last - first);
+    picks[k] = first + mixedBits(k) % (last - first);
   }
+  // A chunk whose factors are all 1 has none, beside others that have.
+  const std::size_t weights = metric->quadratic() ? (factorsByChannel() ? channels : 1) : 0;
+  const bool factors = std::ranges::any_of(chunks, [](const FitChunk& chunk) { return !chunk.factor.empty(); });
+  const bool weighted = std::ranges::any_of(chunks, [](const FitChunk& chunk) { return !chunk.weight.empty(); });
   std::size_t chunkIndex = 0, chunkFirst = 0;
   for (std::size_t start = 0; start < data.samples; start += kChunkLength) {
     const std::size_t length = std::min(kChunkLength, data.samples - start);
     FitChunk& out = data.chunks.emplace_back();
     out.pairs.resize(length);
     out.target.resize(channels * length);
+    if (weighted) out.weight.assign(length, 1.0);
+    if (factors) out.factor.assign(weights * length, 1.0);
     for (std::size_t k = 0; k < length; ++k) {
       const std::size_t pick = picks[start + k];
       while (pick >= chunkFirst + chunks[chunkIndex].pairs.size()) chunkFirst += chunks[chunkIndex++].pairs.size();
@@ -95,6 +179,9 @@ FitData FitData::subset(std::size_t count) const {
                     {in.pairs.wo[0][i], in.pairs.wo[1][i], in.pairs.wo[2][i]});
       for (std::size_t channel = 0; channel < channels; ++channel)
         out.target[channel * length + k] = in.target[channel * inLength + i];
+      if (!in.weight.empty()) out.weight[k] = in.weight[i];
+      for (std::size_t plane = 0; plane * inLength < in.factor.size(); ++plane)
+        out.factor[plane * length + k] = in.factor[plane * inLength + i];
     }
   }
   return data;
@@ -105,16 +192,18 @@ FitData FitData::mean(std::size_t first, std::size_t count) const {
   data.metric = metric;
   data.samples = samples;
   data.channels = 1;
-  std::vector<double> values;
+  data.totalWeight = totalWeight;
+  std::vector<double> values, mean;
   for (const FitChunk& in : chunks) {
     const std::size_t length = in.pairs.size();
-    FitChunk& out = data.chunks.emplace_back(FitChunk{in.pairs, std::vector<double>(length)});
-    values.assign(length, 0.0);
+    FitChunk& out = data.chunks.emplace_back(FitChunk{in.pairs, {}, in.weight, {}});
+    values.resize(length);
+    mean.assign(length, 0.0);
     for (std::size_t channel = first; channel < first + count; ++channel) {
-      metric->inverse(in.target.data() + channel * length, in.pairs.wi[2].data(), length, out.target.data());
-      for (std::size_t i = 0; i < length; ++i) values[i] += out.target[i] / static_cast<double>(count);
+      block(in, channel).values(values.data());
+      for (std::size_t i = 0; i < length; ++i) mean[i] += values[i] / static_cast<double>(count);
     }
-    metric->transform(values.data(), in.pairs.wi[2].data(), length, out.target.data());
+    setTarget(*metric, out, mean.data(), 1, length);
   }
   return data;
 }

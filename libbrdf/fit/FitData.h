@@ -1,7 +1,7 @@
 #pragma once
 #include <brdf/fit/Metric.h>
+#include <brdf/fit/Samples.h>
 #include <brdf/geometry/DirectionPairs.h>
-#include <brdf/material/SampleSet.h>
 
 #include <vector>
 
@@ -10,7 +10,28 @@ namespace brdf {
 /// Up to kChunkLength valid samples, packed: the unit of parallel work and of summation order.
 struct FitChunk {
   DirectionPairBuffer<double> pairs;
-  std::vector<double> target;  ///< g(f) by the metric, planar: channel c of sample i at target[c * pairs.size() + i]
+  /// Planar, channel c of sample i at target[c * pairs.size() + i]: as the metric prepares it, and for quadratic
+  /// metrics times the factor, so that a residual is factor f - target.
+  std::vector<double> target;
+  std::vector<double> weight;  ///< square root of each sample's weight; empty: all 1
+  /// Quadratic metrics: the slope of the residual, weight included; one plane, or one a channel where the metric weighs
+  /// by the target. Empty: all 1.
+  std::vector<double> factor;
+};
+
+/// Samples of one chunk in one channel: what their residuals are made of.
+struct BRDF_EXPORT ResidualBlock {
+  const Metric* metric;
+  DirectionPairs<double> pairs;
+  const double* target;
+  const double* weight;  ///< or null: 1
+  const double* factor;  ///< or null: 1
+
+  /// Weighted residuals of the values f (1/sr), and their derivative with respect to f.
+  void residual(const double* f, double* r) const;
+  void slope(const double* f, double* slope) const;
+  /// The target's values, 1/sr.
+  void values(double* f) const;
 };
 
 /// The valid samples of a target, in the metric's own values. Chunks are summed in their order, so that no result
@@ -18,13 +39,24 @@ struct FitChunk {
 struct BRDF_EXPORT FitData {
   static constexpr std::size_t kChunkLength = 8192;
 
-  const Metric* metric = nullptr;
+  MetricPointer metric;
   std::vector<FitChunk> chunks;
   std::size_t samples = 0;
   std::size_t channels = 0;
+  /// The squared error of a fit is the sum of squared residuals over this and the number of channels.
+  double totalWeight = 0;
 
-  /// Reads what is valid with theta_i and theta_o at most `maximumTheta` degrees (90: all above the horizon).
-  static FitData read(const SampleSet& set, const Metric& metric, double maximumTheta);
+  /// Reads what is valid within the rule. A metric that takes its scale from the data is given it. Throws
+  /// Error::Kind::Value when the set has no weights to go by, and where the metric has no finite value at a sample.
+  static FitData read(const SampleSet& set, MetricPointer metric, const SampleRule& rule);
+
+  /// Samples first .. first + count - 1 of a chunk in a channel.
+  ResidualBlock block(const FitChunk& chunk, std::size_t channel, std::size_t first, std::size_t count) const;
+  ResidualBlock block(const FitChunk& chunk, std::size_t channel) const {
+    return block(chunk, channel, 0, chunk.pairs.size());
+  }
+  /// Whether each channel has factors of its own.
+  bool factorsByChannel() const { return channels > 1 && metric->weighsByTarget(); }
 
   /// About `count` of the samples, one from each of `count` equal runs, at a fixed pseudo-random place in its run: a
   /// regular stride would see only some columns of a table.
@@ -33,14 +65,5 @@ struct BRDF_EXPORT FitData {
   /// The same samples with one channel: the mean of f over channels first .. first + count - 1.
   FitData mean(std::size_t first, std::size_t count) const;
 };
-
-/// Keeps of a block of samples those marked valid with both cosines at least `minimumCosine` (and > 0), closing the
-/// gaps; `values` is planar with `channels` planes. Returns how many remain; the arrays are not shortened and the
-/// planes keep their stride.
-std::size_t packValid(DirectionPairBuffer<double>& pairs, double* values, std::size_t channels,
-                      const std::uint8_t* valid, double minimumCosine);
-
-/// The least cosine that `maximumTheta` degrees allows, with a little slack for directions computed from angles.
-double minimumCosine(double maximumTheta);
 
 }  // namespace brdf

@@ -17,16 +17,15 @@ double squaredSum(const std::vector<double>& values) {
   return sum;
 }
 
-/// g(sum of scaled columns) - target.
-void residualAt(const Metric& metric, const std::vector<const double*>& columns, const std::vector<double>& scales,
-                const double* target, const double* cosine, std::vector<double>& model, std::vector<double>& residual) {
+/// Residuals of the sum of scaled columns.
+void residualAt(const ResidualBlock& block, const std::vector<const double*>& columns,
+                const std::vector<double>& scales, std::vector<double>& model, std::vector<double>& residual) {
   const std::size_t count = model.size();
   std::ranges::fill(model, 0.0);
   for (std::size_t l = 0; l < columns.size(); ++l)
     if (scales[l] != 0)
       for (std::size_t i = 0; i < count; ++i) model[i] += scales[l] * columns[l][i];
-  metric.transform(model.data(), cosine, count, residual.data());
-  for (std::size_t i = 0; i < count; ++i) residual[i] -= target[i];
+  block.residual(model.data(), residual.data());
 }
 
 /// The change of the scales that minimises the linearised squared error: residual + weight * columns * change.
@@ -52,13 +51,15 @@ std::vector<double> scaleStep(const std::vector<const double*>& columns, const s
 
 }  // namespace
 
-double solveScales(const Metric& metric, const std::vector<const double*>& columns, const std::vector<bool>& held,
-                   const double* target, const double* cosine, std::size_t count, std::vector<double>& scales) {
+double solveScales(const ResidualBlock& block, const std::vector<const double*>& columns, const std::vector<bool>& held,
+                   std::vector<double>& scales) {
+  const std::size_t count = block.pairs.count;
+  const bool quadratic = block.metric->quadratic();
   std::vector<double> model(count), residual(count), weight(count), weighted, value(count);
   std::vector<double> best = scales;
   double bestError = std::numeric_limits<double>::infinity();
   const auto consider = [&](const std::vector<double>& trial) {
-    residualAt(metric, columns, trial, target, cosine, model, residual);
+    residualAt(block, columns, trial, model, residual);
     const double error = squaredSum(residual);
     if (!(error < bestError)) return false;
     bestError = error;
@@ -72,10 +73,10 @@ double solveScales(const Metric& metric, const std::vector<const double*>& colum
   };
 
   // Linear solutions: weighted by the metric's slope at the data, and (where that differs) not weighted.
-  metric.inverse(target, cosine, count, value.data());
-  metric.derivative(value.data(), cosine, count, weight.data());
+  block.values(value.data());
+  block.slope(value.data(), weight.data());
   std::vector<std::vector<double>> linear;
-  for (int round = 0; round < (metric.quadratic ? 1 : 2); ++round) {
+  for (int round = 0; round < (quadratic ? 1 : 2); ++round) {
     for (std::size_t i = 0; i < count; ++i) {
       model[i] = -value[i];
       for (std::size_t l = 0; l < columns.size(); ++l) model[i] += scales[l] * columns[l][i];
@@ -87,9 +88,9 @@ double solveScales(const Metric& metric, const std::vector<const double*>& colum
   for (const std::vector<double>& trial : linear) consider(trial);
 
   constexpr int kMaximumSteps = 12;
-  for (int k = 0; !metric.quadratic && k < kMaximumSteps; ++k) {
-    residualAt(metric, columns, best, target, cosine, model, residual);
-    metric.derivative(model.data(), cosine, count, weight.data());
+  for (int k = 0; !quadratic && k < kMaximumSteps; ++k) {
+    residualAt(block, columns, best, model, residual);
+    block.slope(model.data(), weight.data());
     const std::vector<double> step = scaleStep(columns, held, best, weight, residual, weighted);
     const double before = bestError;
     for (double fraction = 1; fraction > 0.05; fraction /= 2)
@@ -117,8 +118,7 @@ Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange 
     for (std::size_t c = first; c < last; ++c) {
       std::vector<double> own(scales.begin() + static_cast<std::ptrdiff_t>(c * lobes),
                               scales.begin() + static_cast<std::ptrdiff_t>((c + 1) * lobes));
-      solveScales(*data.metric, columns, held, chunk.target.data() + (channels.first + c) * count,
-                  chunk.pairs.wi[2].data(), count, own);
+      solveScales(data.block(chunk, channels.first + c), columns, held, own);
       std::ranges::copy(own, scales.begin() + static_cast<std::ptrdiff_t>(c * lobes));
     }
   });
@@ -149,7 +149,7 @@ std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, st
       held.push_back(problem.fixedScale(l).has_value());
       scales.push_back(problem.fixedScale(l).value_or(0));
     }
-    return solveScales(*data.metric, columns, held, chunk.target.data(), pairs.wi[2], count, scales);
+    return solveScales(data.block(chunk, 0), columns, held, scales);
   };
   std::vector<std::size_t> scanned;
   for (std::size_t l = 0; l < lobes; ++l) {

@@ -7,10 +7,10 @@ namespace brdf {
 
 /// The scale factors that minimise one channel's error at a given shape, in the metric itself: non-negative linear
 /// least squares where it is quadratic, else Gauss-Newton from the better of two linear solutions. `columns`: values of
-/// the lobes (1/sr) at the samples of one chunk; `scales`: in, the lobes held (see `held`); out, all. Returns the
+/// the lobes (1/sr) at the samples of the block; `scales`: in, the lobes held (see `held`); out, all. Returns the
 /// squared error.
-double solveScales(const Metric& metric, const std::vector<const double*>& columns, const std::vector<bool>& held,
-                   const double* target, const double* cosine, std::size_t count, std::vector<double>& scales);
+double solveScales(const ResidualBlock& block, const std::vector<const double*>& columns, const std::vector<bool>& held,
+                   std::vector<double>& scales);
 
 /// Scale factors of all lobes for every channel of the range at shape coordinates x, by solveScales on one chunk.
 Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange channels, std::span<const double> x);

@@ -24,6 +24,9 @@ class ChannelView::View : public SampleSet {
     source_.read(first, length, pairs, scratch.get(), valid);
     owner_.combine(scratch.get(), length, values);
   }
+  bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
+    return source_.solidAngles(first, length, measures);
+  }
 
  private:
   const ChannelView& owner_;

@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/geometry/Directions.h>
+#include <brdf/material/CellSolidAngles.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
@@ -52,6 +53,7 @@ class GridBrdf::Cells : public SampleSet {
  public:
   explicit Cells(std::shared_ptr<const GridData> data)
       : data_(std::move(data)),
+        measures_(data_->layout),
         lookup(data_->values.data(), data_->states.data(), data_->states.size(), data_->channels.count()) {}
 
   std::size_t count() const override { return data_->states.size(); }
@@ -71,9 +73,14 @@ class GridBrdf::Cells : public SampleSet {
       for (std::size_t i = 0; i < length; ++i) values[channel * length + i] = above[i] ? from[i] : 0.0;
     }
   }
+  bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
+    measures_.read(first, length, measures);
+    return true;
+  }
 
  private:
   std::shared_ptr<const GridData> data_;
+  CellSolidAngles measures_;
 
  public:
   const GridCells lookup;

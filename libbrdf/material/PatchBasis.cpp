@@ -76,6 +76,12 @@ std::size_t PatchBasis::find(double x, double y, double z) const {
   return first_[ring] + static_cast<std::size_t>((step % n + n) % n);
 }
 
+double PatchBasis::solidAngle(std::size_t patch) const {
+  const std::size_t ring = ringOf(patch);
+  const double low = ring == 0 ? 1 : upperCos_[ring - 1];
+  return 2 * kPi * (low - upperCos_[ring]) / static_cast<double>(rings_[ring].count);
+}
+
 std::size_t PatchBasis::ringOf(std::size_t patch) const {
   return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), patch) - first_.begin()) - 1;
 }

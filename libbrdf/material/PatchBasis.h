@@ -42,6 +42,8 @@ class BRDF_EXPORT PatchBasis {
   std::size_t find(double x, double y, double z) const;
   /// The integral of the cosine over the patch, sr: pi (cos^2 lower - cos^2 upper)/n.
   double projectedSolidAngle(std::size_t patch) const { return projected_[ringOf(patch)]; }
+  /// Its solid angle, sr: 2 pi (cos lower - cos upper)/n.
+  double solidAngle(std::size_t patch) const;
   /// The direction of the mean polar angle (0 for a ring of one patch at the pole) and the mean azimuth.
   Direction centre(std::size_t patch) const;
   /// The direction at u, v in [0, 1] of the patch, uniform in projected solid angle: u from the lower to the upper

@@ -28,6 +28,13 @@ class PatchBrdf::Pairs : public SampleSet {
         std::copy_n(data_.values.data() + c * count() + first, length, values + c * length);
     if (valid) std::fill_n(valid, length, std::uint8_t{1});
   }
+  bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
+    const std::size_t lights = data_.incident.count();
+    for (std::size_t i = 0; i < length; ++i)
+      measures[i] =
+          data_.incident.solidAngle((first + i) % lights) * data_.outgoing.solidAngle((first + i) / lights);
+    return true;
+  }
 
  private:
   const PatchData& data_;

@@ -22,6 +22,10 @@ class BRDF_EXPORT SampleSet {
   /// The values of an invalid sample are 0.
   virtual void read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs, double* values,
                     std::uint8_t* valid) const = 0;
+
+  /// What the samples stand for: the measure d omega_i d omega_o of each one's cell, up to a factor common to the set.
+  /// Returns false, leaving `measures` alone, when they have no cells (scattered points).
+  virtual bool solidAngles(std::size_t first, std::size_t length, double* measures) const;
 };
 
 }  // namespace brdf

@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
+#include <brdf/material/CellSolidAngles.h>
 #include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/material/TableBrdf.h>
@@ -50,6 +51,7 @@ class TableBrdf::Cells : public SampleSet {
   explicit Cells(std::shared_ptr<const TableData> data)
       : data_(std::move(data)),
         directions_(data_->layout),
+        measures_(GridLayout::fromTable(data_->layout)),
         lookup(data_->values.data(), data_->valid.data(), data_->valid.size(), data_->channels.count()) {}
 
   std::size_t count() const override { return data_->layout.cells(); }
@@ -73,10 +75,15 @@ class TableBrdf::Cells : public SampleSet {
       for (std::size_t i = 0; i < length; ++i) to[i] = valid[i] ? from[i] : 0.0;
     }
   }
+  bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
+    measures_.read(first, length, measures);
+    return true;
+  }
 
  private:
   std::shared_ptr<const TableData> data_;
   TableDirections directions_;
+  CellSolidAngles measures_;
 
  public:
   const GridCells lookup;

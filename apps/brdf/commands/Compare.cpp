@@ -13,7 +13,7 @@ namespace brdf::app {
 
 Command compareCommand() {
   struct Values {
-    std::string a, b, channels = "spectral";
+    std::string a, b, channels = "spectral", metric;
     double maximumTheta = 90;
   };
   const auto values = std::make_shared<Values>();
@@ -27,12 +27,15 @@ Command compareCommand() {
                              "luminance, rgb, spectral (the data's own) or numbers from 0 as in 0,3,5");
             arguments.option("--max-theta", values->maximumTheta, {0, 90}, "DEGREES",
                              "Leave out samples with theta_i or theta_o above");
+            arguments.option("--metric", values->metric, "NAME",
+                             metricHelp("One to judge by besides the plain ones", ""));
           },
           [values](const Output& output) {
+            checkMetric(values->metric);
             const FitChannels channels = channelsOption(values->channels);
             const BrdfPointer a = selectChannels(loadMaterial(values->a, assumptions()).brdf, channels);
             const BrdfPointer b = selectChannels(loadMaterial(values->b, assumptions()).brdf, channels);
-            const Comparison result = compare(*a, *b, values->maximumTheta);
+            const Comparison result = compare(*a, *b, values->maximumTheta, values->metric);
             output.line("A  " + a->description() + "\nB  " + b->description() + "\n\n" +
                         metricTable(result.metrics, result.zeroModel) + "\n\n  " + std::to_string(result.samples) +
                         " samples, " + std::to_string(result.channels) + " channels; " + result.sampling);
@@ -40,6 +43,7 @@ Command compareCommand() {
                            {"b", b->description()},
                            {"metrics", result.metrics},
                            {"zero_model", result.zeroModel},
+                           {"formulas", result.formulas},
                            {"samples", result.samples},
                            {"channels", result.channels},
                            {"sampling", result.sampling}});

@@ -4,6 +4,7 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/fit/Metric.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -26,6 +27,7 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
   }
   return {{"material", report.material->description()},
           {"metric", report.metric},
+          {"metric_formula", report.metricFormula},
           {"error", report.error},
           {"metrics", report.metrics},
           {"zero_model", report.zeroModel},
@@ -86,6 +88,22 @@ std::string fitReportText(const FitReport& report) {
           " passes, " + formatNumber(report.seconds, 3) + " s";
   for (const std::string& note : report.notes) text += "\n  note: " + note;
   return text;
+}
+
+std::string metricHelp(const std::string& what, const std::string& byDefault) {
+  return what + ": " + joined(metricNames()) +
+         ", relative:FLOOR and huber:DELTA (1/sr), or formula:TEXT, as in \"formula:cbrt(f*cos_i)\"" +
+         (byDefault.empty() ? "" : " [" + byDefault + "]");
+}
+
+void checkMetric(const std::string& text) {
+  try {
+    if (!text.empty()) findMetric(text);
+  } catch (const Error& error) {
+    Error::Details details = error.details();
+    details.where = "--metric";
+    throw Error(Error::Kind::Usage, std::move(details));
+  }
 }
 
 FitChannels channelsOption(const std::string& text) {
