@@ -1,9 +1,16 @@
-// How long fits take: the full MERL layout by metric, and by number of samples and threads.
+// How long fits take: the full MERL layout by metric, with and without reading the file, and by number of samples,
+// lobes and threads. `benchmarks/plot_fit.py` draws the scaling.
 #include <brdf/base/Parallel.h>
 #include <brdf/fit/Fit.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/io/SaveMaterial.h>
 #include <brdf/material/TableBrdf.h>
 
 #include <benchmark/benchmark.h>
+
+#include <unistd.h>
+
+#include <filesystem>
 
 namespace {
 
@@ -16,10 +23,17 @@ const TableBrdf& merlLayout() {
   return *table;
 }
 
-void fitAndCount(benchmark::State& state, const Brdf& target, const FitOptions& options) {
+/// Lambertian and `specular` lobes GGX.
+std::vector<LobeRequest> requests(std::size_t specular) {
+  std::vector<LobeRequest> lobes{{findModel("Lambertian"), {}, {}, {}}};
+  lobes.resize(1 + specular, {findModel("GGX"), {}, {}, {}});
+  return lobes;
+}
+
+void fitAndCount(benchmark::State& state, const Brdf& target, const FitOptions& options, std::size_t specular = 1) {
   FitReport report;
   for (auto _ : state) {
-    report = fit(target, {{findModel("Lambertian"), {}, {}, {}}, {findModel("GGX"), {}, {}, {}}}, options);
+    report = fit(target, requests(specular), options);
     benchmark::DoNotOptimize(report.error);
   }
   state.counters["samples"] = static_cast<double>(report.samples);
@@ -33,6 +47,23 @@ void merlLayoutByMetric(benchmark::State& state) {
   fitAndCount(state, merlLayout(), options);
 }
 BENCHMARK(merlLayoutByMetric)->DenseRange(0, 3)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// As `brdf fit FILE` does: the file is read each time (from the system's cache).
+void merlFile(benchmark::State& state) {
+  const auto path = std::filesystem::temp_directory_path() / ("benchmark_fit." + std::to_string(getpid()) + ".binary");
+  saveMaterial({BrdfPointer(BrdfPointer(), &merlLayout()), "measured", {}, {}}, path, "merl", "benchmark");
+  for (auto _ : state) {
+    const LoadedMaterial target = loadMaterial(path.string());
+    benchmark::DoNotOptimize(fit(*target.brdf, requests(1), {}).error);
+  }
+  std::filesystem::remove(path);
+}
+BENCHMARK(merlFile)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+void merlLayoutByLobes(benchmark::State& state) {
+  fitAndCount(state, merlLayout(), {}, static_cast<std::size_t>(state.range(0)) - 1);
+}
+BENCHMARK(merlLayoutByLobes)->DenseRange(2, 5)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void merlLayoutByThreads(benchmark::State& state) {
   setThreadCount(static_cast<std::size_t>(state.range(0)));
