@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/fit/Compare.h>
+#include <brdf/fit/SpherePicture.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/material/SampleSet.h>
@@ -134,16 +135,10 @@ Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, con
   return comparison;
 }
 
-Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::string_view metricText) {
-  const MetricPointer metric = metricText.empty() ? nullptr : findMetric(metricText);
+/// compare() by metrics of pairs.
+static Comparison comparePairs(const BrdfPointer& first, const BrdfPointer& second, double maximumTheta,
+                               const MetricPointer& metric) {
   const SampleRule rule{maximumTheta, false, {}};
-  BrdfPointer first = borrowed(a), second = borrowed(b);
-  if (first->channels() != second->channels()) {
-    // The common view: luminance when either has one channel, else colour.
-    const bool luminance = first->channels().count() == 1 || second->channels().count() == 1;
-    first = luminance ? asLuminance(first) : asRgb(first);
-    second = luminance ? asLuminance(second) : asRgb(second);
-  }
   if (const SampleSet* samples = second->samples()) {
     Comparison comparison = compareOn(*samples, *first, nullptr, rule, metric);
     comparison.sampling = "the samples of the second, " + second->description();
@@ -159,6 +154,26 @@ Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::strin
   comparison.sampling = std::to_string(HemispherePairs::kCosines) + " x " + std::to_string(HemispherePairs::kCosines) +
                         " x " + std::to_string(HemispherePairs::kAzimuths) +
                         " pairs of directions in equal solid angles of both hemispheres";
+  return comparison;
+}
+
+Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::string_view metricText) {
+  const MetricPointer metric = metricText.empty() ? nullptr : findMetric(metricText);
+  const auto onSphere = std::dynamic_pointer_cast<const SphereMetric>(metric);
+  BrdfPointer first = borrowed(a), second = borrowed(b);
+  if (first->channels() != second->channels()) {
+    // The common view: luminance when either has one channel, else colour.
+    const bool luminance = first->channels().count() == 1 || second->channels().count() == 1;
+    first = luminance ? asLuminance(first) : asRgb(first);
+    second = luminance ? asLuminance(second) : asRgb(second);
+  }
+  Comparison comparison = comparePairs(first, second, maximumTheta, onSphere ? nullptr : metric);
+  if (onSphere) {
+    const SphereErrors errors = sphereErrors(spherePicture(*second, onSphere), *first);
+    comparison.metrics[metric->name()] = errors.error;
+    comparison.zeroModel[metric->name()] = errors.zeroModel;
+    comparison.formulas[metric->name()] = metric->formula();
+  }
   return comparison;
 }
 

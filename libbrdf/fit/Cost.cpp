@@ -11,13 +11,13 @@ namespace brdf {
 namespace {
 
 // Samples evaluated at a time: the columns of a few lobes stay in the first-level cache.
-constexpr std::size_t kBlock = 512;
+constexpr std::size_t kBlock = FitData::kBlockLength;
 
 double zeroError(const FitData& data, ChannelRange channels) {
   double sum = 0;
   std::vector<double> residual, zero;
   for (const FitChunk& chunk : data.chunks) {
-    const std::size_t count = chunk.pairs.size();
+    const std::size_t count = data.residuals(chunk);
     double part = 0;
     zero.resize(count);
     residual.resize(count);
@@ -221,6 +221,30 @@ NormalEquations SeparableCost::normalEquations(std::span<const double> x) { retu
 
 // ----- joint ------------------------------------------------------------------------------------------------------
 
+namespace {
+
+/// Columns of values at pairs of directions as the residuals of one channel see them: as they are, or in a picture each
+/// pixel's sum over its light.
+struct Seen {
+  const double* columns;  ///< one after the other, `count` numbers each
+  std::size_t count;
+};
+
+Seen seen(const FitData& data, const FitChunk& chunk, std::size_t channel, std::size_t first, std::size_t count,
+          const std::vector<double>& columns, std::size_t m, std::vector<double>& sums) {
+  const std::size_t group = data.pairsAResidual, pixels = count / group;
+  if (group == 1) return {columns.data(), count};
+  const double* light = chunk.light.data() + channel * chunk.pairs.size() + first;
+  sums.assign(m * pixels, 0.0);
+  for (std::size_t k = 0; k < m; ++k)
+    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
+      addProducts(columns.data() + k * count + pixel * group, 1, light + pixel * group, group,
+                  &sums[k * pixels + pixel]);
+  return {sums.data(), pixels};
+}
+
+}  // namespace
+
 JointCost::JointCost(const FitProblem& problem, const FitData& data, ChannelRange channels)
     : problem_(problem),
       data_(data),
@@ -272,15 +296,17 @@ double JointCost::squaredError(std::span<const double> x) {
   const auto parameters = problem_.parameters(x.first(problem_.coordinates().size()));
   return sumOverChunks(data_, 1, [&](const FitChunk& chunk, double* out) {
     const std::size_t total = chunk.pairs.size();
-    std::vector<double> columns(lobes * kBlock), scratch, model(kBlock), residual(kBlock);
+    std::vector<double> columns(lobes * kBlock), scratch, lit, model(kBlock), residual(kBlock);
     for (std::size_t first = 0; first < total; first += kBlock) {
-      const std::size_t count = std::min(kBlock, total - first);
-      problem_.evaluate(chunk.pairs.view().slice(first, count), parameters, false, scratch, columns.data());
+      const std::size_t pairs = std::min(kBlock, total - first);
+      problem_.evaluate(chunk.pairs.view().slice(first, pairs), parameters, false, scratch, columns.data());
       for (std::size_t c = 0; c < channels_.count; ++c) {
+        const std::size_t channel = channels_.first + c;
+        const auto [values, count] = seen(data_, chunk, channel, first, pairs, columns, lobes, lit);
         std::fill_n(model.data(), count, 0.0);
         for (std::size_t l = 0; l < lobes; ++l)
-          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
-        data_.block(chunk, channels_.first + c, first, count).residual(model.data(), residual.data());
+          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * values[l * count + i];
+        data_.block(chunk, channel, first / data_.pairsAResidual, count).residual(model.data(), residual.data());
         addProducts(residual.data(), 1, residual.data(), count, out);
       }
     }
@@ -294,20 +320,22 @@ NormalEquations JointCost::normalEquations(std::span<const double> x) {
   const auto parameters = problem_.parameters(x.first(shapes));
   std::vector<double> sums = sumOverChunks(data_, channels_.count * m * m, [&](const FitChunk& chunk, double* out) {
     const std::size_t total = chunk.pairs.size();
-    std::vector<double> columns((m - 1) * kBlock), scratch, model(kBlock), slope(kBlock), own(m * kBlock);
+    std::vector<double> columns((m - 1) * kBlock), scratch, lit, model(kBlock), slope(kBlock), own(m * kBlock);
     for (std::size_t first = 0; first < total; first += kBlock) {
-      const std::size_t count = std::min(kBlock, total - first);
-      problem_.evaluate(chunk.pairs.view().slice(first, count), parameters, true, scratch, columns.data());
+      const std::size_t pairs = std::min(kBlock, total - first);
+      problem_.evaluate(chunk.pairs.view().slice(first, pairs), parameters, true, scratch, columns.data());
       for (std::size_t c = 0; c < channels_.count; ++c) {
+        const std::size_t channel = channels_.first + c;
+        const auto [values, count] = seen(data_, chunk, channel, first, pairs, columns, m - 1, lit);
         std::fill_n(model.data(), count, 0.0);
         for (std::size_t l = 0; l < lobes; ++l)
-          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * columns[l * count + i];
-        const ResidualBlock block = data_.block(chunk, channels_.first + c, first, count);
+          for (std::size_t i = 0; i < count; ++i) model[i] += scales[c * lobes + l] * values[l * count + i];
+        const ResidualBlock block = data_.block(chunk, channel, first / data_.pairsAResidual, count);
         block.slope(model.data(), slope.data());
         block.residual(model.data(), own.data() + (m - 1) * count);
         for (std::size_t k = 0; k + 1 < m; ++k) {
           const double factor = k < lobes ? 1.0 : scales[c * lobes + problem_.coordinates()[k - lobes].lobe];
-          for (std::size_t i = 0; i < count; ++i) own[k * count + i] = factor * slope[i] * columns[k * count + i];
+          for (std::size_t i = 0; i < count; ++i) own[k * count + i] = factor * slope[i] * values[k * count + i];
         }
         addGram(own.data(), m, count, out + c * m * m);
       }

@@ -2,6 +2,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/fit/Compare.h>
 #include <brdf/fit/Cost.h>
+#include <brdf/fit/SpherePicture.h>
 #include <brdf/fit/StartSearch.h>
 #include <brdf/fit/Uncertainty.h>
 #include <brdf/material/ChannelView.h>
@@ -71,6 +72,12 @@ class Fitter {
     return solution;
   }
 
+  /// Goes on from a solution on other data of the same channels.
+  Solution resume(const FitData& data, ChannelRange channels, const Solution& from) {
+    if (stopped_) return from;
+    return run(optimizer_.global ? findOptimizer("lm") : optimizer_, data, channels, from.shape, from.scales);
+  }
+
  private:
   Solution run(const Optimizer& optimizer, const FitData& data, ChannelRange channels, std::vector<double> start,
                const Scales& scales) {
@@ -135,18 +142,24 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
     throw Error(Error::Kind::Value,
                 {"the target has no samples to fit", "target", target.description(), "measured data"});
   const SampleRule rule{options.maximumTheta, false, {}};
-  const FitData data = FitData::read(*samples, metric, rule);
+  // A picture sees too few directions to find a lobe from afar: pairs find it first, by the metric nearest to
+  // lightness.
+  const auto onSphere = std::dynamic_pointer_cast<const SphereMetric>(metric);
+  const FitData data = FitData::read(*samples, onSphere ? findMetric("cuberoot") : metric, rule);
   if (data.samples == 0)
     throw Error(Error::Kind::Value, {"the target has no valid sample", "target", target.description(), "at least 1"});
+
+  const FitData picture = onSphere ? spherePicture(*seen, onSphere) : FitData{};
+  const FitData& judged = onSphere ? picture : data;
 
   const FitProblem problem(requests, seen->symmetry());
   const bool separable = options.strategy != Strategy::Joint && metric->quadratic();
   FitReport report;
   report.metric = metric->name();
-  report.metricFormula = data.metric->formula();
+  report.metricFormula = judged.metric->formula();
   report.optimizer = options.optimizer;
   report.strategy = separable ? "separable" : "joint";
-  report.samples = data.samples;
+  report.samples = judged.samples;
   report.channels = data.channels;
   report.notes = problem.notes();
 
@@ -160,9 +173,10 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   const std::size_t groups = perChannel ? data.channels : 1;
   for (std::size_t group = 0; group < groups; ++group) {
     const ChannelRange channels{group, perChannel ? 1 : data.channels};
-    const Solution solution = fitter.solve(data, channels);
+    Solution solution = fitter.solve(data, channels);
+    if (onSphere) solution = fitter.resume(picture, channels, solution);
     const std::optional<std::size_t> own = perChannel ? std::optional(group) : std::nullopt;
-    describeParameters(problem, data, channels, own, solution.shape, solution.scales, report);
+    describeParameters(problem, judged, channels, own, solution.shape, solution.scales, report);
     const std::vector<std::vector<double>> values = problem.parameters(solution.shape);
     for (std::size_t l = 0; l < lobes.size(); ++l) {
       for (std::size_t p = 0; p < values[l].size(); ++p) lobes[l].parameters[p].push_back(values[l][p]);
@@ -177,6 +191,11 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   Comparison errors = compareOn(*samples, *report.material, nullptr, rule, data.metric);
   report.metrics = std::move(errors.metrics);
   report.zeroModel = std::move(errors.zeroModel);
+  if (onSphere) {
+    const SphereErrors sphere = sphereErrors(picture, *report.material);
+    report.metrics[report.metric] = sphere.error;
+    report.zeroModel[report.metric] = sphere.zeroModel;
+  }
   report.error = report.metrics.at(report.metric);
   const double zero = report.zeroModel.at(report.metric);
   const double explained = zero > 0 ? 1 - report.error * report.error / (zero * zero) : 0;

@@ -88,7 +88,7 @@ void ResidualBlock::values(double* f) const {
 }
 
 ResidualBlock FitData::block(const FitChunk& chunk, std::size_t channel, std::size_t first, std::size_t count) const {
-  const std::size_t total = chunk.pairs.size();
+  const std::size_t total = residuals(chunk);
   const auto plane = [&](const std::vector<double>& all, std::size_t index) {
     return all.empty() ? nullptr : all.data() + index * total + first;
   };
@@ -196,7 +196,7 @@ FitData FitData::mean(std::size_t first, std::size_t count) const {
   std::vector<double> values, mean;
   for (const FitChunk& in : chunks) {
     const std::size_t length = in.pairs.size();
-    FitChunk& out = data.chunks.emplace_back(FitChunk{in.pairs, {}, in.weight, {}});
+    FitChunk& out = data.chunks.emplace_back(FitChunk{in.pairs, {}, in.weight, {}, {}});
     values.resize(length);
     mean.assign(length, 0.0);
     for (std::size_t channel = first; channel < first + count; ++channel) {

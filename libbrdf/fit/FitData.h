@@ -17,12 +17,15 @@ struct FitChunk {
   /// Quadratic metrics: the slope of the residual, weight included; one plane, or one a channel where the metric weighs
   /// by the target. Empty: all 1.
   std::vector<double> factor;
+  /// Pictures (FitData::pairsAResidual above 1): what each pair adds to its pixel, as a multiple of f; planar by
+  /// channel.
+  std::vector<double> light;
 };
 
 /// Samples of one chunk in one channel: what their residuals are made of.
 struct BRDF_EXPORT ResidualBlock {
   const Metric* metric;
-  DirectionPairs<double> pairs;
+  DirectionPairs<double> pairs;  ///< of a picture only their count, that of the pixels
   const double* target;
   const double* weight;  ///< or null: 1
   const double* factor;  ///< or null: 1
@@ -38,6 +41,8 @@ struct BRDF_EXPORT ResidualBlock {
 /// depends on the number of threads.
 struct BRDF_EXPORT FitData {
   static constexpr std::size_t kChunkLength = 8192;
+  /// Pairs that a cost function evaluates at a time; a multiple of pairsAResidual, and a part of kChunkLength.
+  static constexpr std::size_t kBlockLength = 512;
 
   MetricPointer metric;
   std::vector<FitChunk> chunks;
@@ -45,15 +50,20 @@ struct BRDF_EXPORT FitData {
   std::size_t channels = 0;
   /// The squared error of a fit is the sum of squared residuals over this and the number of channels.
   double totalWeight = 0;
+  /// 1, or in pictures the light directions of a pixel: so many pairs after one another make one residual, that of the
+  /// sum of f times FitChunk::light.
+  std::size_t pairsAResidual = 1;
+
+  std::size_t residuals(const FitChunk& chunk) const { return chunk.pairs.size() / pairsAResidual; }
 
   /// Reads what is valid within the rule. A metric that takes its scale from the data is given it. Throws
   /// Error::Kind::Value when the set has no weights to go by, and where the metric has no finite value at a sample.
   static FitData read(const SampleSet& set, MetricPointer metric, const SampleRule& rule);
 
-  /// Samples first .. first + count - 1 of a chunk in a channel.
+  /// Residuals first .. first + count - 1 of a chunk in a channel.
   ResidualBlock block(const FitChunk& chunk, std::size_t channel, std::size_t first, std::size_t count) const;
   ResidualBlock block(const FitChunk& chunk, std::size_t channel) const {
-    return block(chunk, channel, 0, chunk.pairs.size());
+    return block(chunk, channel, 0, residuals(chunk));
   }
   /// Whether each channel has factors of its own.
   bool factorsByChannel() const { return channels > 1 && metric->weighsByTarget(); }

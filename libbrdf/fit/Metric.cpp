@@ -3,6 +3,7 @@
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/FormulaMetric.h>
 #include <brdf/fit/Metric.h>
+#include <brdf/fit/SpherePicture.h>
 
 #include <algorithm>
 #include <cmath>
@@ -198,9 +199,16 @@ MetricPointer findMetric(std::string_view text) {
   if (text.starts_with("relative:"))
     return std::make_shared<RelativeMetric>(std::string(text), argumentOf(text, "floor"));
   if (text.starts_with("huber:")) return std::make_shared<HuberMetric>(std::string(text), argumentOf(text, "scale"));
+  if (text == "sphere") return std::make_shared<SphereMetric>("sphere", nullptr);
+  if (text.starts_with("sphere:")) {
+    const std::string path(trimmed(text.substr(text.find(':') + 1)));
+    return std::make_shared<SphereMetric>(std::string(text),
+                                          std::make_shared<const EnvironmentMap>(EnvironmentMap::read(path)));
+  }
   if (text.starts_with("formula:")) return makeFormulaMetric(text.substr(text.find(':') + 1));
-  throw Error(Error::Kind::Value, {"unknown metric", "metric", std::string(text),
-                                   joined(metricNames()) + ", relative:FLOOR, huber:DELTA, formula:TEXT"});
+  throw Error(Error::Kind::Value,
+              {"unknown metric", "metric", std::string(text),
+               joined(metricNames()) + ", relative:FLOOR, huber:DELTA, sphere, sphere:MAP, formula:TEXT"});
 }
 
 }  // namespace brdf

@@ -59,6 +59,7 @@ BRDF_EXPORT const std::vector<MetricPointer>& allMetrics();
 
 /// The metric that `text` describes: a name of allMetrics(), or
 /// - "relative:FLOOR", "huber:DELTA": with another floor or scale than the default, 1/sr, above 0;
+/// - "sphere", "sphere:MAP": the picture of a sphere (fit/SpherePicture.h) under the standard light or a map's file;
 /// - "formula:TEXT": the user's own in the formula language (formula/Parser.h): of the value f (1/sr), the variables of
 ///   the directions, the function cbrt, and the target's value t if it likes. Without t the residual is
 ///   TEXT(f) - TEXT(t); with t it is TEXT itself. Its derivative is exact, from the formula's graph.

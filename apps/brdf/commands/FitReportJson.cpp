@@ -92,7 +92,8 @@ std::string fitReportText(const FitReport& report) {
 
 std::string metricHelp(const std::string& what, const std::string& byDefault) {
   return what + ": " + joined(metricNames()) +
-         ", relative:FLOOR and huber:DELTA (1/sr), or formula:TEXT, as in \"formula:cbrt(f*cos_i)\"" +
+         ", relative:FLOOR and huber:DELTA (1/sr), sphere or sphere:MAP (the picture of a sphere under a map), or "
+         "formula:TEXT, as in \"formula:cbrt(f*cos_i)\"" +
          (byDefault.empty() ? "" : " [" + byDefault + "]");
 }
 
