@@ -38,7 +38,8 @@ struct FitChannels {
 };
 
 struct FitOptions {
-  /// A name in metricNames(), or one with an argument: "relative:FLOOR", "huber:DELTA", "sphere[:MAP]", "formula:TEXT" (findMetric).
+  /// A name in metricNames(), or one with an argument: "relative:FLOOR", "huber:DELTA", "sphere[:MAP]", "formula:TEXT"
+  /// (findMetric).
   std::string metric = "rms";
   std::string optimizer = "lm";  ///< name in optimizerNames()
   Strategy strategy = Strategy::Automatic;
