@@ -43,6 +43,17 @@ TEST(ReferenceRender, AToleranceIsReachedOrSaidNotToBe) {
   EXPECT_FALSE(render("0.0001", "32")["converged"]);
 }
 
+TEST(ReferenceRender, TablesAreDrawnByIt) {
+  const auto folder = scratchFolder();
+  ASSERT_EQ(runBrdf(folder, {"convert", "(0.4,0.2,0.1)*Lambertian", "a.binary"}).exitCode, 0);
+  const json report = reportOf(folder, {"render", "a.binary", "--light", "directional:0,0", "--size", "17x17",
+                                        "--samples", "4", "--out", "a.exr"});
+  EXPECT_EQ(report["device"], "CPU");
+  EXPECT_EQ(report["samples"], 4);
+  const brdf::Image picture = brdf::readImage(folder / "a.exr");
+  EXPECT_NEAR(picture.pixel(8, 3)[0] / picture.pixel(8, 3)[2], 4, 0.01);
+}
+
 TEST(ReferenceRender, WhatDoesNotGoTogetherIsRefused) {
   const auto folder = scratchFolder();
   const auto refused = [&](std::vector<std::string> words) {

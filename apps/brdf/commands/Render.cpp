@@ -8,6 +8,8 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/material/LobeSum.h>
 
 #include <chrono>
 #include <nlohmann/json.hpp>
@@ -54,6 +56,11 @@ void checkSubject(const Values& values) {
                                      "brdf render", "", "--reference or --scene"});
 }
 
+/// Whether the graphics device can draw it: sums of lobes, which alone have shaders.
+bool hasShaders(const RenderPicture& picture) {
+  return dynamic_cast<const LobeSum*>(loadMaterial(picture.material, picture.assumptions).brdf.get()) != nullptr;
+}
+
 void run(const Output& output, Values values) {
   checkSubject(values);
   RenderPicture& request = values.request.picture;
@@ -69,6 +76,12 @@ void run(const Output& output, Values values) {
     return;
   }
   if (values.samples > 0) request.samples = values.samples;
+  if (!hasShaders(request)) {
+    output.line("Not a sum of lobes: drawn by the reference renderer.");
+    values.request.options.samples = std::max<std::size_t>(2, request.samples);
+    renderReference(output, values.request);
+    return;
+  }
   const auto start = std::chrono::steady_clock::now();
   const RenderResult result = pictures().render(request);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
