@@ -10,7 +10,7 @@ namespace brdf {
 
 /// One coordinate of the search over shapes: a free parameter of a lobe, or several of one lobe tied together, in its
 /// logarithm where its scale is logarithmic.
-struct ShapeCoordinate {
+struct BRDF_EXPORT ShapeCoordinate {
   std::size_t lobe = 0;
   std::vector<std::size_t> parameters;  ///< indices in the model; the first gives the coordinate its name
   bool logarithmic = false;

@@ -13,7 +13,8 @@ double solveScales(const ResidualBlock& block, const std::vector<const double*>&
                    std::vector<double>& scales);
 
 /// Scale factors of all lobes for every channel of the range at shape coordinates x, by solveScales on one chunk.
-Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange channels, std::span<const double> x);
+BRDF_EXPORT Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange channels,
+                               std::span<const double> x);
 
 struct Start {
   std::vector<double> x;
