@@ -25,12 +25,12 @@ struct Outcome {
 
 /// The optimizer by itself: one run from the case's start, nothing before and nothing after.
 Outcome runAlone(const Case& one, const Optimizer& optimizer) {
-  const Metric& metric = findMetric(one.metric);
-  const FitData data = FitData::read(*one.target->samples(), metric, 90);
+  const MetricPointer metric = findMetric(one.metric);
+  const FitData data = FitData::read(*one.target->samples(), metric, {});
   const FitProblem problem(one.lobes, one.target->symmetry());
   const ChannelRange channels{0, data.channels};
   OptimizerResult result;
-  if (metric.quadratic) {
+  if (metric->quadratic()) {
     SeparableCost cost(problem, data, channels);
     result = optimizer.minimize(cost, problem.start(), {});
   } else {
@@ -39,7 +39,7 @@ Outcome runAlone(const Case& one, const Optimizer& optimizer) {
         optimizer.minimize(cost, cost.join(problem.start(), solveScales(problem, data, channels, problem.start())), {});
     result.x.resize(problem.coordinates().size());
   }
-  return {std::sqrt(result.squaredError / static_cast<double>(data.samples * data.channels)),
+  return {std::sqrt(result.squaredError / (data.totalWeight * static_cast<double>(data.channels))),
           problem.parameters(result.x), result.evaluations};
 }
 

@@ -181,10 +181,13 @@ void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquation
 NormalEquations SeparableCost::evaluate(std::span<const double> x, bool derivatives) {
   // Two passes where the scales move so far that the residual is what is left of a difference of large numbers.
   constexpr double kCancellation = 1e-6;
+  constexpr double kSpoilt = 4;
+  const Scales initial = initialScales(problem_, channels_.count);
   const std::size_t shapes = derivatives ? problem_.coordinates().size() : 0;
   // Channels that share their factors share the Gram matrix; else each has its own.
   const std::size_t together = data_.factorsByChannel() ? 1 : channels_.count;
-  for (int pass = 0;; ++pass) {
+  bool refined = false;
+  while (true) {
     std::vector<Sums> groups;
     double before = 0;
     bool finite = true;
@@ -194,20 +197,24 @@ NormalEquations SeparableCost::evaluate(std::span<const double> x, bool derivati
       finite = finite && std::ranges::all_of(sums.all, [](double v) { return std::isfinite(v); });
     }
     NormalEquations equations;
-    if (!finite || !std::isfinite(before)) {
-      // Scales that a useless trial spoiled are not carried on.
-      scales_ = initialScales(problem_, channels_.count);
-      if (pass > 0 || before == zeroError_) {
-        equations.squaredError = std::numeric_limits<double>::infinity();
-        return equations;
-      }
+    // Scales that a trial without sense spoiled are not carried on: next to them the data are rounding.
+    finite = finite && std::isfinite(before);
+    if ((!finite || before > kSpoilt * zeroError_) && scales_ != initial) {
+      scales_ = initial;
       continue;
+    }
+    if (!finite) {
+      equations.squaredError = std::numeric_limits<double>::infinity();
+      return equations;
     }
     equations.gradient.assign(shapes, 0.0);
     equations.matrix.assign(shapes * shapes, 0.0);
     for (std::size_t k = 0; k < groups.size(); ++k)
       project(groups[k], {channels_.first + k * together, together}, equations);
-    if (pass == 0 && equations.squaredError < kCancellation * before) continue;
+    if (!refined && equations.squaredError < kCancellation * before) {
+      refined = true;
+      continue;
+    }
     if (equations.squaredError < bestError_) {
       bestError_ = equations.squaredError;
       bestScales_ = scales_;

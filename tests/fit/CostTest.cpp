@@ -108,6 +108,30 @@ TEST(SeparableCost, KeepsTheDigitsOfANearlyPerfectFit) {
   EXPECT_LT(error, 1e-12 * cost.scale());
 }
 
+TEST(SeparableCost, ForgetsTheScalesOfATrialWithoutSense) {
+  // Every half vector is at least 25 degrees from the normal: narrow lobes are below 1e-30 there, and their best scales
+  // above 1e30. The trial after has ordinary values.
+  ScatteredSamples samples;
+  for (int k = 0; k < 60; ++k) {
+    const double ti = radians(20 + k % 10), to = radians(30 + k);
+    samples.pairs.push(fromSpherical(ti, 0), fromSpherical(to, 0));
+    samples.values.push_back(0.1 + 0.02 * std::cos(k));
+  }
+  const ScatteredBrdf measured(std::move(samples), "far from the mirror direction");
+  const FitData data = FitData::read(*measured.samples(), findMetric("rms"), {});
+  const FitProblem problem({{findModel("Lambertian"), {}, {}, {}}, {findModel("Ward"), {}, {}, {}}},
+                           Symmetry::Isotropic);
+  for (double narrow = 0.025; narrow < 0.06; narrow += 0.0025)
+    for (double width = 0.1; width < 1; width += 0.1) {
+      const std::vector<double> senseless{std::log(narrow)}, ordinary{std::log(width)};
+      SeparableCost fresh(problem, data, {0, 1}), used(problem, data, {0, 1});
+      const double wanted = fresh.squaredError(ordinary);
+      EXPECT_GT(wanted, 0.001);
+      used.squaredError(senseless);
+      EXPECT_NEAR(used.squaredError(ordinary), wanted, 1e-12 * wanted) << narrow << " " << width;
+    }
+}
+
 TEST(SeparableCost, DoesNotDependOnTheNumberOfThreads) {
   const ScatteredBrdf measured = syntheticTarget("0.3*Lambertian + 0.05*CookTorrance(m=0.25, ior=1.6)", 40000, 1e-3);
   const FitData data = FitData::read(*measured.samples(), findMetric("rms"), {});
