@@ -56,6 +56,36 @@ TEST(ClosedForm, CosineLobesReflectEverythingAtNormalIncidence) {
     EXPECT_NEAR(albedo(*parseMaterialExpression(model), 0), 1, 1e-5) << model;
 }
 
+TEST(ClosedForm, NeumannsAlbedoTendsToAMirrorsAsItsExponentGrows) {
+  // f cos_i is (n + 2)/(2 pi) cos^n alpha min(1, cos_i/cos_o). About the mirror direction cos_i/cos_o is 1 + x tan
+  // theta, where x tends to a Gaussian of variance 1/n: the mean of its part below 0 is tan theta/sqrt(2 pi n).
+  // Integrated over alpha and the angle psi about the mirror direction.
+  constexpr int rings = 4000, spokes = 120;  // midpoints: to 2e-7
+  for (const double n : {1e4, 1e6})
+    for (const double degrees : {0.0, 30.0, 60.0, 80.0}) {
+      const Direction wo = fromSpherical(radians(degrees), 0.4), mirror{-wo[0], -wo[1], wo[2]};
+      Direction t, b;
+      orthonormalBasis(mirror, t, b);
+      DirectionPairBuffer<double> pairs;
+      std::vector<double> weights;
+      const double reach = 9 / std::sqrt(n), step = reach / rings;
+      for (int i = 0; i < rings; ++i)
+        for (int j = 0; j < spokes; ++j) {
+          const double alpha = (i + 0.5) * step, psi = (j + 0.5) * 2 * kPi / spokes;
+          const double c = std::cos(alpha), x = std::sin(alpha) * std::cos(psi), y = std::sin(alpha) * std::sin(psi);
+          const Direction wi{c * mirror[0] + x * t[0] + y * b[0], c * mirror[1] + x * t[1] + y * b[1],
+                             c * mirror[2] + x * t[2] + y * b[2]};
+          pairs.push(wi, wo);
+          weights.push_back(wi[2] * std::sin(alpha) * step * 2 * kPi / spokes);
+        }
+      std::vector<double> values(pairs.size());
+      parseMaterialExpression("Neumann(n=" + std::to_string(n) + ")")->evaluate(pairs.view(), values.data(), nullptr);
+      double sum = 0;
+      for (std::size_t k = 0; k < values.size(); ++k) sum += values[k] * weights[k];
+      EXPECT_NEAR(sum, 1 - std::tan(radians(degrees)) / std::sqrt(2 * kPi * n), 2 / n) << n << " " << degrees;
+    }
+}
+
 TEST(ClosedForm, MinnaertsAlbedoIsAPowerOfTheCosine) {
   // The integral of (ci co)^(k-1) ci/pi is 2 co^(k-1)/(k+1).
   for (const double angle : {0.0, 40.0, 70.0})
