@@ -72,6 +72,11 @@ std::vector<Check> checkCases(const Model& model, const std::vector<ParameterCas
   for (const Tally* tally : {&finite, &negative, &accuracy.wide, &accuracy.narrow, &accuracy.conditioning,
                              &accuracy.parameters, &derivative, &reciprocity, &turning})
     checks.push_back(tally->result());
+  for (Check& check : checks) {
+    if (check.passed) continue;
+    if (check.name == "turning") check.note = "a record says isotropic=\"no\" where turning matters";
+    if (check.name == "reciprocity") check.note = "a record says reciprocal=\"no\" where it is meant";
+  }
   if (formula && !formula->distributions().empty()) checks.push_back(normalisation.result());
   sampler.into(checks);
   return checks;

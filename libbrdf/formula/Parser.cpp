@@ -238,7 +238,7 @@ std::vector<std::string> builtinFunctions() {
 
 ParseResult parse(Graph& graph, std::string_view text, const ParseOptions& options) {
   ParseResult result;
-  const std::vector<Statement> statements = parseStatements(text, options.where);
+  const std::vector<Statement> statements = parseStatements(text, options.where, options.start);
   Scope scope = options.bindings;
   std::size_t visits = 0;
   result.value = Lowering(graph, options, options.where, 0, result.functionsUsed, visits).run(statements, scope);

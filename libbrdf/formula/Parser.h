@@ -23,11 +23,17 @@ using FunctionTable = std::map<std::string, Function, std::less<>>;
 
 using TableMap = std::map<std::string, std::shared_ptr<const Table>, std::less<>>;
 
+/// A place in a text, counted from 1.
+struct Position {
+  int line = 1, column = 1;
+};
+
 struct ParseOptions {
   std::span<const std::string> parameters;   ///< Parameter node k is called parameters[k]
   const FunctionTable* functions = nullptr;  ///< functions that the formula may call besides the built-in ones
   const TableMap* tables = nullptr;          ///< precomputed functions that it may call by name, name(x) or name(x, y)
   std::string where;                         ///< for messages, e.g. "equation of GGX"
+  Position start{};                          ///< for messages: of the text's first character, in its file, say
   std::map<std::string, NodeId, std::less<>> bindings;  ///< further names, already nodes of the graph
 };
 

@@ -22,7 +22,8 @@ bool isDigit(char c) { return std::isdigit(static_cast<unsigned char>(c)); }
 
 class Lexer {
  public:
-  Lexer(std::string_view text, const std::string& where) : text_(text), where_(where) {}
+  Lexer(std::string_view text, const std::string& where, Position start)
+      : text_(text), where_(where), position_(start) {}
 
   Token next() {
     skipBlanks();
@@ -45,7 +46,9 @@ class Lexer {
       if (text_.substr(at_, 2) == two) return symbol(token, two, 2);
     if (std::string_view("+-*/^()=,;<>!?:").find(c) != std::string_view::npos)
       return symbol(token, text_.substr(at_, 1), 1);
-    formulaError(where_, position_, "unexpected character", "'" + std::string(1, c) + "'");
+    std::size_t length = 1;  // all bytes of a character in UTF-8
+    while (at_ + length < text_.size() && (static_cast<unsigned char>(text_[at_ + length]) & 0xC0) == 0x80) ++length;
+    formulaError(where_, position_, "unexpected character", "'" + std::string(text_.substr(at_, length)) + "'");
   }
 
  private:
@@ -110,8 +113,8 @@ class Lexer {
 
 class Parser {
  public:
-  Parser(std::string_view text, const std::string& where) : where_(where) {
-    Lexer lexer(text, where);
+  Parser(std::string_view text, const std::string& where, Position start) : where_(where) {
+    Lexer lexer(text, where, start);
     do tokens_.push_back(lexer.next());
     while (tokens_.back().kind != Token::Kind::End);
   }
@@ -285,8 +288,8 @@ void formulaError(const std::string& where, Position position, std::string what,
                std::move(found), std::move(allowed)});
 }
 
-std::vector<Statement> parseStatements(std::string_view text, const std::string& where) {
-  return Parser(text, where).statements();
+std::vector<Statement> parseStatements(std::string_view text, const std::string& where, Position start) {
+  return Parser(text, where, start).statements();
 }
 
 }  // namespace brdf::formula

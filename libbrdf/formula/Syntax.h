@@ -1,15 +1,13 @@
 #pragma once
 // Text of the formula language to syntax trees. Internal to libbrdf/formula.
+#include <brdf/formula/Parser.h>
+
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace brdf::formula {
-
-struct Position {
-  int line = 1, column = 1;
-};
 
 struct Expression {
   enum class Kind { Number, Name, Call };
@@ -28,8 +26,8 @@ struct Statement {
   Position position;
 };
 
-/// Throws Error::Kind::Formula; `where` begins its place.
-std::vector<Statement> parseStatements(std::string_view text, const std::string& where);
+/// Throws Error::Kind::Formula; `where` begins its place, and `start` is that of the text's first character.
+std::vector<Statement> parseStatements(std::string_view text, const std::string& where, Position start = {});
 
 [[noreturn]] void formulaError(const std::string& where, Position position, std::string what, std::string found = {},
                                std::string allowed = {});

@@ -9,6 +9,7 @@
 #include <brdf/models/Library.h>
 #include <brdf/models/XmlRecord.h>
 
+#include <algorithm>
 #include <numbers>
 #include <numeric>
 
@@ -72,34 +73,70 @@ NodeId aboveTheHorizon(Graph& graph) {
 }  // namespace
 
 FormulaModel::FormulaModel(std::string_view xml, const std::string& where) : where_(where) {
+  const XmlSource source(xml, where);
   pugi::xml_document document;
-  const pugi::xml_node root = xmlRoot(document, xml, where, "model");
-  name_ = requiredAttribute(root, "name", where);
-  title_ = requiredAttribute(root, "title", where);
+  const pugi::xml_node root = xmlRoot(document, source, "model");
+  allowOnly(root, {"name", "title", "isotropic", "reciprocal", "constant", "clamp", "dialect"},
+            {"description", "parameter", "equation", "sampler", "declares", "reference"}, source);
+  name_ = identifierAttribute(root, "name", source);
+  title_ = requiredAttribute(root, "title", source);
   description_ = std::string(trimmed(root.child_value("description")));
   equation_ = std::string(trimmed(root.child_value("equation")));
-  if (equation_.empty()) throw Error(Error::Kind::Format, {"missing <equation>", where, {}, {}});
-  isotropic_ = flagAttribute(root, "isotropic", true, where);
-  reciprocal_ = flagAttribute(root, "reciprocal", true, where);
-  constant_ = flagAttribute(root, "constant", false, where);
-  clamp_ = flagAttribute(root, "clamp", false, where);
+  if (equation_.empty()) throw Error(Error::Kind::Format, {"missing <equation>", source.at(root), {}, {}});
+  equationStart_ = source.textStart(root.child("equation"));
+  isotropic_ = flagAttribute(root, "isotropic", true, source);
+  reciprocal_ = flagAttribute(root, "reciprocal", true, source);
+  constant_ = flagAttribute(root, "constant", false, source);
+  clamp_ = flagAttribute(root, "clamp", false, source);
   legacyDialect_ = std::string_view(root.attribute("dialect").value()) == "BRDFLab082";
-  for (const pugi::xml_node node : root.children("parameter")) {
-    Parameter parameter = readParameter(node, where);
-    if (!parameter.follows.empty()) parameterIndex(parameter.follows);  // an earlier one, or this throws
-    parameters_.push_back(std::move(parameter));
-  }
-  for (const pugi::xml_node sampler : root.children("sampler")) {
-    const std::string share = parts_.empty() ? "" : requiredAttribute(sampler, "share", where);
-    parts_.push_back(
-        {requiredAttribute(sampler, "name", where), splitArguments(sampler.attribute("arguments").value()), share});
-    if (const pugi::xml_attribute cosine = sampler.attribute("cosine"))
-      parts_.push_back({"Cosine", {}, cosine.value()});
-  }
+  for (const pugi::xml_node node : root.children("parameter")) readParameterInto(node, source);
+  for (const pugi::xml_node sampler : root.children("sampler")) readSamplerInto(sampler, source);
   namesSampler_ = !parts_.empty();
-  if (parts_.empty()) parts_.push_back({"Cosine", {}, {}});
-  references_ = readReferences(root);
-  declarations_ = readDeclarations(root, where);
+  if (parts_.empty()) parts_.push_back({"Cosine", {}, {}, where, {}, {}});
+  references_ = readReferences(root, source);
+  declarations_ = readDeclarations(root, source);
+}
+
+void FormulaModel::readParameterInto(const pugi::xml_node& node, const XmlSource& source) {
+  Parameter parameter = readParameter(node, source);
+  const auto refuse = [&](const char* what, const char* attribute, const std::string& name,
+                          const std::string& allowed) {
+    throw Error(Error::Kind::Format, {what, source.at(node, attribute), "'" + name + "'", allowed});
+  };
+  std::vector<std::string> earlier;
+  for (const Parameter& other : parameters_) earlier.push_back(other.name);
+  if (std::ranges::find(earlier, parameter.name) != earlier.end())
+    refuse("a parameter before has this name", "name", parameter.name, "another name");
+  if (!legacyDialect_ && std::ranges::any_of(formula::variables(), [&](const formula::Variable& variable) {
+        return variable.name == parameter.name;
+      }))
+    refuse("a variable of the formula language has this name", "name", parameter.name, "another name");
+  if (!parameter.follows.empty() && std::ranges::find(earlier, parameter.follows) == earlier.end())
+    refuse("no parameter to follow", "follows", parameter.follows,
+           earlier.empty() ? "none: it is the first" : joined(earlier));
+  parameters_.push_back(std::move(parameter));
+}
+
+void FormulaModel::readSamplerInto(const pugi::xml_node& node, const XmlSource& source) {
+  allowOnly(node, {"name", "arguments", "share", "cosine"}, {}, source);
+  const bool first = parts_.empty();
+  const std::string all = node.attribute("arguments").value();
+  SamplerPart part{requiredAttribute(node, "name", source),
+                   splitArguments(all),
+                   first ? "" : requiredAttribute(node, "share", source),
+                   source.at(node, "name"),
+                   {},
+                   first ? formula::Position{} : source.valueStart(node, "share")};
+  const formula::Position start = all.empty() ? formula::Position{} : source.valueStart(node, "arguments");
+  std::size_t from = 0;
+  for (const std::string& argument : part.arguments) {
+    from = all.find(argument, from);
+    part.argumentStarts.push_back({start.line, start.column + static_cast<int>(from)});
+    from += argument.size();
+  }
+  parts_.push_back(std::move(part));
+  if (const pugi::xml_attribute cosine = node.attribute("cosine"))
+    parts_.push_back({"Cosine", {}, cosine.value(), source.at(node, "cosine"), {}, source.valueStart(node, "cosine")});
 }
 
 FormulaModel::~FormulaModel() = default;
@@ -109,6 +146,7 @@ formula::ParseOptions FormulaModel::parseOptions(Graph& graph) const {
   options.tables = &tableMap();
   options.functions = legacyDialect_ ? &legacyFunctionTable() : &functionTable();
   options.where = where_ + ", equation of " + name_;
+  options.start = equationStart_;
   if (legacyDialect_)
     for (const char* name : {"phi_i", "phi_o"}) {  // (0, 2 pi] there
       const NodeId phi = *formula::makeVariable(graph, name);
@@ -133,22 +171,30 @@ NodeId FormulaModel::buildValue(Graph& graph, std::span<const double> parameters
 /// The nodes of a mixture of samplers.
 class FormulaModel::SamplerGraph {
  public:
-  /// `options`: how the model's own formulas are parsed; `where`: the file.
-  SamplerGraph(Graph& graph, const std::string& where, const std::vector<SamplerPart>& parts,
-               formula::ParseOptions options)
-      : graph_(graph) {
+  /// `options`: how the model's own formulas are parsed.
+  SamplerGraph(Graph& graph, const std::vector<SamplerPart>& parts, formula::ParseOptions options) : graph_(graph) {
+    const auto parsed = [&](const std::string& text, formula::Position start) {
+      options.start = start;
+      return formula::parse(graph, text, options).value;
+    };
     NodeId rest = graph.constant(1);
     for (std::size_t k = parts.size(); k-- > 0;) {  // the first part last: it gets what the others leave
-      Mixed mixed{&findSampler(parts[k].sampler, where), options, rest};
-      if (!parts[k].share.empty()) mixed.share = formula::parse(graph, parts[k].share, options).value;
+      const SamplerPart& part = parts[k];
+      Mixed mixed{&findSampler(part.sampler, part.where), options, rest};
+      if (!part.share.empty()) {
+        mixed.share = parsed(part.share, part.shareStart);
+        const formula::Node& share = graph[mixed.share];
+        if (share.op == Op::Constant && !(share.value >= 0 && share.value < 1))
+          throw Error(Error::Kind::Format, {"share of sampler " + part.sampler, part.where, part.share, "[0, 1)"});
+      }
       rest = graph.sub(rest, mixed.share);
       const std::vector<std::string>& wanted = mixed.sampler->arguments;
-      if (wanted.size() != parts[k].arguments.size())
-        throw Error(Error::Kind::Format, {"wrong number of arguments to sampler " + parts[k].sampler, where,
-                                          std::to_string(parts[k].arguments.size()),
+      if (wanted.size() != part.arguments.size())
+        throw Error(Error::Kind::Format, {"wrong number of arguments to sampler " + part.sampler, part.where,
+                                          std::to_string(part.arguments.size()),
                                           std::to_string(wanted.size()) + " (" + joined(wanted) + ")"});
       for (std::size_t a = 0; a < wanted.size(); ++a)
-        mixed.options.bindings[wanted[a]] = formula::parse(graph, parts[k].arguments[a], options).value;
+        mixed.options.bindings[wanted[a]] = parsed(part.arguments[a], part.argumentStarts[a]);
       mixed_.push_back(std::move(mixed));
     }
   }
@@ -157,6 +203,7 @@ class FormulaModel::SamplerGraph {
     NodeId sum = graph_.constant(0);
     for (Mixed& part : mixed_) {
       part.options.where = "density of sampler " + part.sampler->name;
+      part.options.start = {};
       sum = graph_.add(sum, graph_.mul(part.share, formula::parse(graph_, part.sampler->density, part.options).value));
     }
     return sum;
@@ -174,6 +221,7 @@ class FormulaModel::SamplerGraph {
         part.options.bindings["random1"] =
             graph_.div(graph_.sub(random, below), graph_.make(Op::Max, part.share, graph_.constant(1e-9)));
       part.options.where = "draw of sampler " + part.sampler->name;
+      part.options.start = {};
       const formula::ParseResult result = formula::parse(graph_, part.sampler->draw, part.options);
       std::array<NodeId, 3> w;
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -232,7 +280,7 @@ FormulaModel::Compiled& FormulaModel::compiled() const {
     made->derivatives = formula::derivatives(graph, made->value, all);
 
     options.where = where_ + ", sampler of " + name_;
-    SamplerGraph sampler(graph, where_, parts_, options);
+    SamplerGraph sampler(graph, parts_, options);
     made->density = graph.select(above, awayFromTheHorizon(graph, sampler.density()), zero);
     made->draw = sampler.draw();
 

@@ -9,7 +9,13 @@
 #include <memory>
 #include <mutex>
 
+namespace pugi {
+class xml_node;
+}
+
 namespace brdf {
+
+class XmlSource;
 
 /// A Model made from one XML record (models/lobes/*.xml):
 ///
@@ -61,6 +67,9 @@ class BRDF_EXPORT FormulaModel final : public Model {
     std::string sampler;                 ///< its name (models/Library.h)
     std::vector<std::string> arguments;  ///< formulas
     std::string share;                   ///< of the draws, a formula; empty for the first part: what the others leave
+    std::string where;                   ///< its element in the file
+    std::vector<formula::Position> argumentStarts;  ///< in the file
+    formula::Position shareStart{};
   };
   /// At least one; "Cosine" alone where the record names none.
   const std::vector<SamplerPart>& samplerParts() const { return parts_; }
@@ -82,9 +91,13 @@ class BRDF_EXPORT FormulaModel final : public Model {
   /// The value of an equation: clamped where the model says so, and 0 below the horizon.
   formula::NodeId finished(formula::Graph& graph, formula::NodeId raw) const;
 
+  void readParameterInto(const pugi::xml_node& node, const XmlSource& source);
+  void readSamplerInto(const pugi::xml_node& node, const XmlSource& source);
+
   class SamplerGraph;
 
   std::string where_;
+  formula::Position equationStart_;  ///< in the file
   std::vector<SamplerPart> parts_;
   bool clamp_ = false, legacyDialect_ = false;
   mutable std::once_flag once_;

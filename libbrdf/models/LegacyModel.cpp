@@ -10,11 +10,12 @@ namespace brdf {
 bool isLegacyModel(std::string_view xml) { return xml.find("<AnalyticBRDFModel") != std::string_view::npos; }
 
 std::string translateLegacyModel(std::string_view xml, const std::string& where) {
-  pugi::xml_document source;
-  const pugi::xml_node root = xmlRoot(source, xml, where, "AnalyticBRDFModel");
+  const XmlSource source(xml, where);
+  pugi::xml_document document;
+  const pugi::xml_node root = xmlRoot(document, source, "AnalyticBRDFModel");
   pugi::xml_document target;
   pugi::xml_node model = target.append_child("model");
-  const std::string name = requiredAttribute(root, "name", where);
+  const std::string name = requiredAttribute(root, "name", source);
   model.append_attribute("name") = ("BRDFLab082" + name).c_str();
   model.append_attribute("title") = (name + " as the model file of BRDFLab 0.8.2 has it").c_str();
   model.append_attribute("isotropic") =
@@ -24,11 +25,10 @@ std::string translateLegacyModel(std::string_view xml, const std::string& where)
   model.append_attribute("dialect") = "BRDFLab082";
   for (const pugi::xml_node parameter : root.child("Parameters").children("Parameter")) {
     pugi::xml_node record = model.append_child("parameter");
-    const std::string here = where + ", parameter " + requiredAttribute(parameter, "name", where);
-    const double low = numberAttribute(parameter, "lowBound", -1e30, here);
-    const double high = numberAttribute(parameter, "highBound", 1e30, here);
-    const double value = numberAttribute(parameter, "defaultVal", 0, here);
-    record.append_attribute("name") = parameter.attribute("name").value();
+    const double low = numberAttribute(parameter, "lowBound", -1e30, source);
+    const double high = numberAttribute(parameter, "highBound", 1e30, source);
+    const double value = numberAttribute(parameter, "defaultVal", 0, source);
+    record.append_attribute("name") = requiredAttribute(parameter, "name", source).c_str();
     record.append_attribute("default").set_value(value, 17);
     record.append_attribute("min").set_value(std::min({low, high, value}), 17);
     record.append_attribute("max").set_value(std::max({low, high, value}), 17);
@@ -37,7 +37,7 @@ std::string translateLegacyModel(std::string_view xml, const std::string& where)
   std::string equation = root.child_value("Equation");
   constexpr std::string_view less = "U+003C";  // how that program writes '<' in XML
   for (std::size_t at; (at = equation.find(less)) != std::string::npos;) equation.replace(at, less.size(), "<");
-  if (equation.empty()) throw Error(Error::Kind::Format, {"missing <Equation>", where});
+  if (equation.empty()) throw Error(Error::Kind::Format, {"missing <Equation>", source.at(root)});
   model.append_child("equation").text() = equation.c_str();
   pugi::xml_node declares = model.append_child("declares");
   declares.append_attribute("check") = "energy";

@@ -17,15 +17,15 @@ std::vector<LibraryFunction> readFunctions() {
   std::vector<LibraryFunction> functions;
   for (const EmbeddedFile& file : functionFiles()) {
     pugi::xml_document document;
-    const std::string where(file.name);
-    for (const pugi::xml_node node : xmlRoot(document, file.text, where, "functions").children("function")) {
+    const XmlSource source(file.text, std::string(file.name));
+    for (const pugi::xml_node node : xmlRoot(document, source, "functions").children("function")) {
       LibraryFunction entry;
-      entry.function.name = requiredAttribute(node, "name", where);
+      entry.function.name = requiredAttribute(node, "name", source);
       entry.function.arguments = splitArguments(node.attribute("arguments").value());
       entry.function.body = node.child_value("body");
-      entry.function.where = "function " + entry.function.name + " (" + where + ")";
-      entry.title = requiredAttribute(node, "title", entry.function.where);
-      entry.references = readReferences(node);
+      entry.function.where = "function " + entry.function.name + " (" + source.file() + ")";
+      entry.title = requiredAttribute(node, "title", source);
+      entry.references = readReferences(node, source);
       functions.push_back(std::move(entry));
     }
   }
@@ -33,22 +33,22 @@ std::vector<LibraryFunction> readFunctions() {
 }
 
 /// <table name="" nx="" ny="" x0="" x1="" y0="" y1="">numbers, x fastest</table>
-std::shared_ptr<const formula::Table> readTable(std::string_view text, const std::string& where) {
+std::shared_ptr<const formula::Table> readTable(const XmlSource& source) {
   pugi::xml_document document;
-  const pugi::xml_node node = xmlRoot(document, text, where, "table");
+  const pugi::xml_node node = xmlRoot(document, source, "table");
   auto table = std::make_shared<formula::Table>();
-  table->name = requiredAttribute(node, "name", where);
-  table->nx = static_cast<std::size_t>(numberAttribute(node, "nx", 2, where));
-  table->ny = static_cast<std::size_t>(numberAttribute(node, "ny", 1, where));
-  table->x0 = numberAttribute(node, "x0", 0, where);
-  table->x1 = numberAttribute(node, "x1", 1, where);
-  table->y0 = numberAttribute(node, "y0", 0, where);
-  table->y1 = numberAttribute(node, "y1", 1, where);
+  table->name = requiredAttribute(node, "name", source);
+  table->nx = static_cast<std::size_t>(numberAttribute(node, "nx", 2, source));
+  table->ny = static_cast<std::size_t>(numberAttribute(node, "ny", 1, source));
+  table->x0 = numberAttribute(node, "x0", 0, source);
+  table->x1 = numberAttribute(node, "x1", 1, source);
+  table->y0 = numberAttribute(node, "y0", 0, source);
+  table->y1 = numberAttribute(node, "y1", 1, source);
   std::istringstream numbers(node.child_value("values"));
   for (std::string word; numbers >> word;)
     if (const auto value = parseNumber(word)) table->values.push_back(*value);
   if (table->nx < 2 || table->ny < 1 || table->values.size() != table->nx * table->ny)
-    throw Error(Error::Kind::Format, {"wrong number of values", where, std::to_string(table->values.size()),
+    throw Error(Error::Kind::Format, {"wrong number of values", source.at(node), std::to_string(table->values.size()),
                                       std::to_string(table->nx * table->ny)});
   return table;
 }
@@ -57,15 +57,15 @@ std::vector<Sampler> readSamplers() {
   std::vector<Sampler> samplers;
   for (const EmbeddedFile& file : samplerFiles()) {
     pugi::xml_document document;
-    const std::string where(file.name);
-    for (const pugi::xml_node node : xmlRoot(document, file.text, where, "samplers").children("sampler")) {
+    const XmlSource source(file.text, std::string(file.name));
+    for (const pugi::xml_node node : xmlRoot(document, source, "samplers").children("sampler")) {
       Sampler sampler;
-      sampler.name = requiredAttribute(node, "name", where);
+      sampler.name = requiredAttribute(node, "name", source);
       sampler.arguments = splitArguments(node.attribute("arguments").value());
       sampler.draw = node.child_value("draw");
       sampler.density = node.child_value("density");
-      sampler.title = requiredAttribute(node, "title", where);
-      sampler.references = readReferences(node);
+      sampler.title = requiredAttribute(node, "title", source);
+      sampler.references = readReferences(node, source);
       samplers.push_back(std::move(sampler));
     }
   }
@@ -92,7 +92,7 @@ const formula::TableMap& tableMap() {
   static const formula::TableMap tables = [] {
     formula::TableMap result;
     for (const EmbeddedFile& file : tableFiles()) {
-      auto table = readTable(file.text, std::string(file.name));
+      auto table = readTable({file.text, std::string(file.name)});
       result[table->name] = std::move(table);
     }
     return result;

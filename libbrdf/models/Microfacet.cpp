@@ -15,9 +15,14 @@ namespace {
 
 constexpr std::string_view kPrefix = "Microfacet_";
 
+const XmlSource& componentSource() {
+  static const XmlSource source(componentFiles()[0].text, "components.xml");
+  return source;
+}
+
 const pugi::xml_node& components() {
   static pugi::xml_document document;
-  static const pugi::xml_node root = xmlRoot(document, componentFiles()[0].text, "components.xml", "components");
+  static const pugi::xml_node root = xmlRoot(document, componentSource(), "components");
   return root;
 }
 
@@ -86,7 +91,7 @@ const std::vector<MicrofacetTerm>& microfacetTermsOf(char kind) {
       term.name = node.attribute("name").value();
       term.call = node.attribute("call").value();
       for (const pugi::xml_node parameter : node.children("parameter"))
-        term.parameters.push_back(readParameter(parameter, "components.xml, " + term.name));
+        term.parameters.push_back(readParameter(parameter, componentSource()));
       term.smith = node.attribute("smith").value();
       term.sampler = node.attribute("sampler").value();
       term.samplerArguments = splitArguments(node.attribute("arguments").value());

@@ -40,11 +40,12 @@ class Registry {
     return models;
   }
 
-  void add(ModelPointer model) {
+  /// `where`: the model's file, if any.
+  void add(ModelPointer model, const std::string& where = {}) {
     const std::lock_guard lock(mutex_);
     if (builtIn_.find(model->name()) != builtIn_.end() && !replaceable(model->name()))
       throw Error(Error::Kind::Value,
-                  {"a built-in model has this name", {}, "'" + model->name() + "'", "another name"});
+                  {"a built-in model has this name", where, "'" + model->name() + "'", "another name"});
     builtIn_.erase(model->name());
     added_[model->name()] = std::move(model);
   }
@@ -87,7 +88,7 @@ std::vector<std::string> loadModelFolder(const std::filesystem::path& folder) {
   for (const auto& file : files) {
     ModelPointer model = readModelFile(file);
     names.push_back(model->name());
-    registerModel(std::move(model));
+    Registry::instance().add(std::move(model), file.string());
   }
   return names;
 }

@@ -13,11 +13,12 @@ namespace {
 
 const std::string kParameter = R"(<parameter name="m" default="0.5" min="0" max="2"/>)";
 
-/// A record with the given pieces, right everywhere else.
+/// A record with the given pieces, right everywhere else: parameters on line 3, the equation on line 4 from column 11
+/// on, samplers and what follows on line 5.
 std::string record(const std::string& parameters, const std::string& equation = "m / pi",
                    const std::string& sampler = "", const std::string& attributes = R"(name="Test" title="A test")") {
-  return "<model " + attributes + "><description>words</description>" + parameters + "<equation>" + equation +
-         "</equation>" + sampler + "</model>";
+  return "<model " + attributes + ">\n<description>words</description>\n" + parameters + "\n<equation>" + equation +
+         "</equation>\n" + sampler + "\n</model>";
 }
 
 TEST(Record, GivesItsFieldsAndDefaultsToTheRest) {
@@ -123,56 +124,97 @@ TEST_P(WrongRecord, IsRefusedWithItsPlace) {
   }
 }
 
-const std::string kParameterPlace = "test.xml, parameter m";
+INSTANTIATE_TEST_SUITE_P(
+    Elements, WrongRecord,
+    testing::Values(
+        Wrong{"", Error::Kind::Format, "not well-formed XML", "test.xml, line 1, column 1"},
+        Wrong{"<model>\n<x></model>", Error::Kind::Format, "not well-formed XML", "test.xml, line 2, column 6"},
+        Wrong{"<lobe/>", Error::Kind::Format, "wrong root element", "test.xml, line 1, column 2"},
+        Wrong{"<model title='t'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'name'",
+              "test.xml, line 1, column 2"},
+        Wrong{"<model name='n'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'title'",
+              "test.xml, line 1, column 2"},
+        Wrong{"<model name='n' title='t'/>", Error::Kind::Format, "missing <equation>", "test.xml, line 1, column 2"},
+        Wrong{record(kParameter, "m", "", R"(name="My lobe" title="t")"), Error::Kind::Format, "no identifier",
+              "test.xml, line 1, column 14"},
+        Wrong{record(kParameter, "m", "", R"(name="T" title="t" isotropic="maybe")"), Error::Kind::Format, "isotropic",
+              "test.xml, line 1, column 38"},
+        Wrong{record(kParameter, "m", "", R"(name="T" title="t" isotropc="no")"), Error::Kind::Format,
+              "unknown attribute of <model>", "test.xml, line 1, column 37"},
+        Wrong{record(kParameter, "m", R"(<sampeler name="Cosine"/>)"), Error::Kind::Format,
+              "unknown element in <model>", "test.xml, line 5, column 2"},
+        Wrong{record(kParameter, "m", R"(<declares check="nothing">why</declares>)"), Error::Kind::Format,
+              "unknown check", "test.xml, line 5, column 18"},
+        Wrong{record(kParameter, "m", R"(<declares check="energy"/>)"), Error::Kind::Format, "missing reason",
+              "test.xml, line 5, column 2"},
+        Wrong{record(kParameter, "m", R"(<declares check="float_accuracy">why</declares>)"), Error::Kind::Format,
+              "missing attribute 'allowed' of <declares>", "test.xml, line 5, column 2"},
+        Wrong{record(kParameter, "m", R"(<reference author="Me"/>)"), Error::Kind::Format,
+              "unknown attribute of <reference>", "test.xml, line 5, column 20"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    Table, WrongRecord,
-    testing::Values(
-        Wrong{"", Error::Kind::Format, "not well-formed XML", "test.xml, byte 0"},
-        Wrong{"<model><x></model>", Error::Kind::Format, "not well-formed XML", "test.xml, byte 12"},
-        Wrong{"<lobe/>", Error::Kind::Format, "wrong root element", "test.xml"},
-        Wrong{"<model title='t'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'name'",
-              "test.xml"},
-        Wrong{"<model name='n'><equation>1</equation></model>", Error::Kind::Format, "missing attribute 'title'",
-              "test.xml"},
-        Wrong{"<model name='n' title='t'/>", Error::Kind::Format, "missing <equation>", "test.xml"},
-        Wrong{record(kParameter, "m", "", R"(name="T" title="t" isotropic="maybe")"), Error::Kind::Format, "isotropic",
-              "test.xml"},
-        Wrong{record(R"(<parameter default="1" min="0" max="2"/>)"), Error::Kind::Format, "missing attribute 'name'",
-              "test.xml"},
-        Wrong{record(R"(<parameter name="m" default="1" min="0"/>)"), Error::Kind::Format, "missing attribute 'max'",
-              kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="zero" max="2"/>)"), Error::Kind::Format, "is no number",
-              kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="3" min="0" max="2"/>)"), Error::Kind::Format,
-              "bounds out of order", kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="2" max="0"/>)"), Error::Kind::Format,
-              "bounds out of order", kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" softMin="-1"/>)"), Error::Kind::Format,
-              "bounds out of order", kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="nan" max="2"/>)"), Error::Kind::Format, "",
-              kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" scale="cubic"/>)"), Error::Kind::Format,
-              "unknown scale", kParameterPlace},
-        Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" follows="x"/>)"), Error::Kind::Value,
-              "unknown parameter", "Test"},
-        Wrong{record(kParameter, "m", R"(<declares check="nothing">why</declares>)"), Error::Kind::Format,
-              "unknown check", "test.xml, declaration of nothing"},
-        Wrong{record(kParameter, "m", R"(<declares check="energy"/>)"), Error::Kind::Format, "missing reason",
-              "test.xml, declaration of energy"},
-        Wrong{record(kParameter, "m", R"(<declares check="float_accuracy">why</declares>)"), Error::Kind::Format,
-              "missing attribute 'allowed' of <declares>", "test.xml, declaration of float_accuracy"},
-        Wrong{record(kParameter, "m", R"(<sampler name="Cosine"/><sampler name="Cosine"/>)"), Error::Kind::Format,
-              "missing attribute 'share' of <sampler>", "test.xml"},
-        Wrong{record(kParameter, "m", R"(<sampler name="Magic"/>)"), Error::Kind::Value, "unknown sampler", "test.xml"},
-        Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m"/>)"), Error::Kind::Format,
-              "wrong number of arguments to sampler HalfBeckmann", "test.xml"},
-        Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m, q"/>)"), Error::Kind::Formula,
-              "unknown name", "test.xml, sampler of Test, line 1, column 1"},
-        Wrong{record(kParameter, "m +\n rough"), Error::Kind::Formula, "unknown name",
-              "test.xml, equation of Test, line 2, column 2"},
-        Wrong{record(kParameter, "D_GGX(m)"), Error::Kind::Formula, "wrong number of arguments to D_GGX",
-              "test.xml, equation of Test, line 1, column 1"}));
+    Parameters, WrongRecord,
+    testing::Values(Wrong{record(R"(<parameter default="1" min="0" max="2"/>)"), Error::Kind::Format,
+                          "missing attribute 'name'", "test.xml, line 3, column 2"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0"/>)"), Error::Kind::Format,
+                          "missing attribute 'max'", "test.xml, line 3, column 2"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="zero" max="2"/>)"), Error::Kind::Format,
+                          "is no number", "test.xml, line 3, column 38"},
+                    Wrong{record(R"(<parameter name="m" default="3" min="0" max="2"/>)"), Error::Kind::Format,
+                          "parameter m: bounds out of order", "test.xml, line 3, column 30"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="2" max="0"/>)"), Error::Kind::Format,
+                          "parameter m: bounds out of order", "test.xml, line 3, column 30"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" softMin="-1"/>)"),
+                          Error::Kind::Format, "parameter m: bounds out of order", "test.xml, line 3, column 30"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="nan" max="2"/>)"), Error::Kind::Format,
+                          "parameter m: hard bound", "test.xml, line 3, column 38"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="inf"/>)"), Error::Kind::Format,
+                          "parameter m: hard bound", "test.xml, line 3, column 46"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" scale="cubic"/>)"),
+                          Error::Kind::Format, "parameter m: unknown scale", "test.xml, line 3, column 56"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" scale="log"/>)"),
+                          Error::Kind::Format, "parameter m: bounds", "test.xml, line 3, column 56"},
+                    Wrong{record(R"(<parameter name="m" default="1" min="0" max="2" follows="x"/>)"),
+                          Error::Kind::Format, "no parameter to follow", "test.xml, line 3, column 58"},
+                    Wrong{record(R"(<parameter name="2m" default="1" min="0" max="2"/>)"), Error::Kind::Format,
+                          "no identifier", "test.xml, line 3, column 18"},
+                    Wrong{record(R"(<parameter name="uz" default="1" min="0" max="2"/>)"), Error::Kind::Format,
+                          "a variable of the formula language has this name", "test.xml, line 3, column 18"},
+                    Wrong{record(kParameter + "\n" + kParameter), Error::Kind::Format,
+                          "a parameter before has this name", "test.xml, line 4, column 18"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Formulas, WrongRecord,
+    testing::Values(Wrong{record(kParameter, "m", R"(<sampler name="Cosine"/><sampler name="Cosine"/>)"),
+                          Error::Kind::Format, "missing attribute 'share' of <sampler>", "test.xml, line 5, column 26"},
+                    Wrong{record(kParameter, "m", R"(<sampler name="Cosine" cosine="1.5"/>)"), Error::Kind::Format,
+                          "share of sampler Cosine", "test.xml, line 5, column 32"},
+                    Wrong{record(kParameter, "m", R"(<sampler name="Magic"/>)"), Error::Kind::Value, "unknown sampler",
+                          "test.xml, line 5, column 16"},
+                    Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m"/>)"),
+                          Error::Kind::Format, "wrong number of arguments to sampler HalfBeckmann",
+                          "test.xml, line 5, column 16"},
+                    Wrong{record(kParameter, "m", R"(<sampler name="HalfBeckmann" arguments="m, q"/>)"),
+                          Error::Kind::Formula, "unknown name", "test.xml, sampler of Test, line 5, column 44"},
+                    Wrong{record(kParameter, "m", R"(<sampler name="Cosine" cosine="0.1 + q"/>)"), Error::Kind::Formula,
+                          "unknown name", "test.xml, sampler of Test, line 5, column 38"},
+                    Wrong{record(kParameter, "m +\n rough"), Error::Kind::Formula, "unknown name",
+                          "test.xml, equation of Test, line 5, column 2"},
+                    Wrong{record(kParameter, "\n  m + rough"), Error::Kind::Formula, "unknown name",
+                          "test.xml, equation of Test, line 5, column 7"},
+                    Wrong{record(kParameter, "m § 2"), Error::Kind::Formula, "unexpected character",
+                          "test.xml, equation of Test, line 4, column 13"},
+                    Wrong{record(kParameter, "D_GGX(m)"), Error::Kind::Formula, "wrong number of arguments to D_GGX",
+                          "test.xml, equation of Test, line 4, column 11"}));
+
+TEST(Record, ACharacterBeyondAsciiIsShownWhole) {
+  try {
+    FormulaModel(record(kParameter, "m § 2"), "test.xml").compile();
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.details().found, "'§'");
+  }
+}
 
 TEST(Registry, ModelsHaveWhatTheirPagesNeed) {
   std::set<std::string> names;
