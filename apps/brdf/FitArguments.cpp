@@ -49,12 +49,13 @@ void FitArguments::declare(Arguments& arguments) {
   arguments.choice("--combination", combination_, {"shared", "per-channel"}, "One shape for all channels, or one each");
   arguments.flag("--progressive", progressive_, "Fit one lobe more at a time, in the order given");
   arguments.option("--starts", options_.starts, {0, 100000}, "Random starts besides the scan");
-  arguments.option("--seed", seed_, {0, 9e15}, "Of the random starts");
+  arguments.option("--seed", seed_, {0, 9e15}, "Of the random starts and of --sampling importance");
   arguments.flag("--no-scan", noScan_, "Start from the defaults instead of scanning the shapes");
   arguments.option("--tolerance", options_.tolerance, {0, 1}, "NUMBER", "Relative: stop when steps gain less");
   arguments.option("--max-iterations", options_.maximumIterations, {1, 1000000}, "Of each start");
   arguments.option("--max-theta", options_.maximumTheta, {0, 90}, "DEGREES",
                    "Leave out samples with theta_i or theta_o above");
+  samples_.declare(arguments);
   arguments.option("--fix", fixed_, "NAME=VALUE",
                    "Hold a parameter, in every lobe or as in GGX.ior=1.5; several times");
 }
@@ -62,6 +63,7 @@ void FitArguments::declare(Arguments& arguments) {
 void FitArguments::resolve() {
   options_.seed = seed_;
   options_.scan = !noScan_;
+  options_.samples = samples_.choice(seed_);
   options_.channels = channelsOption(channels_);
   options_.strategy = strategy_ == "separable" ? Strategy::Separable
                       : strategy_ == "joint"   ? Strategy::Joint
@@ -81,15 +83,9 @@ FitReport FitArguments::run(const Brdf& target, std::function<bool(std::size_t, 
 std::string FitArguments::words() const {
   return "fit --lobes \"" + lobes_ + "\" --metric " + options_.metric + " --optimizer " + options_.optimizer +
          " --channels " + channels_ + " --combination " + combination_ + " --max-theta " +
-         formatNumber(options_.maximumTheta);
+         formatNumber(options_.maximumTheta) + " " + samples_.words();
 }
 
-LoadedMaterial loadTarget(const std::string& spec) {
-  LoadedMaterial target = loadMaterial(spec, assumptions());
-  if (!target.brdf->samples())
-    throw Error(Error::Kind::Value, {"nothing to fit: a formula has no samples", spec, target.kind,
-                                     "measured data, or a table that `brdf convert` makes"});
-  return target;
-}
+LoadedMaterial loadTarget(const std::string& spec) { return loadMaterial(spec, assumptions()); }
 
 }  // namespace brdf::app

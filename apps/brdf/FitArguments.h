@@ -1,4 +1,6 @@
 #pragma once
+#include "SampleArguments.h"
+
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/LobeRequests.h>
 #include <brdf/io/LoadMaterial.h>
@@ -31,12 +33,12 @@ class FitArguments {
   std::vector<std::string> fixed_;
   bool progressive_ = false, noScan_ = false;
   std::size_t seed_ = 1;
+  SampleArguments samples_;
   FitOptions options_;
   std::vector<LobeRequest> requests_;
 };
 
-/// The material that `spec` means, if it has samples to fit. Throws what loadMaterial throws, and Error::Kind::Value
-/// for a formula.
+/// The material that `spec` means. Throws what loadMaterial throws.
 LoadedMaterial loadTarget(const std::string& spec);
 
 }  // namespace brdf::app

@@ -145,7 +145,7 @@ std::shared_ptr<const LobeSum> nearest(const Brdf& target, const FitOptions& opt
   double least = std::numeric_limits<double>::infinity();
   for (const auto& candidate : candidates) {
     if (!candidate) continue;
-    const double error = compare(*candidate, target, options.maximumTheta).metrics.at(options.metric);
+    const double error = compare(*candidate, target, options.maximumTheta, options.metric).metrics.at(options.metric);
     if (!best || error < least) best = candidate, least = error;
   }
   return best;

@@ -2,49 +2,14 @@
 #include <brdf/base/Parallel.h>
 #include <brdf/fit/Compare.h>
 #include <brdf/fit/SpherePicture.h>
-#include <brdf/geometry/Directions.h>
+#include <brdf/fit/TargetSamples.h>
 #include <brdf/material/ChannelView.h>
-#include <brdf/material/SampleSet.h>
 
 #include <algorithm>
 #include <cmath>
 
 namespace brdf {
 namespace {
-
-/// Pairs of directions over both hemispheres, in equal solid angles: midpoints in cos theta and in azimuth. Anisotropic
-/// ones are covered by turning the incident azimuth by the golden angle from pair to pair.
-class HemispherePairs : public SampleSet {
- public:
-  explicit HemispherePairs(Channels channels) : channels_(std::move(channels)) {}
-  std::size_t count() const override { return kCosines * kCosines * kAzimuths; }
-  const Channels& channels() const override { return channels_; }
-  void read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs, double* values,
-            std::uint8_t* valid) const override {
-    if (pairs) pairs->resize(length);
-    for (std::size_t k = 0; k < length; ++k) {
-      const std::size_t i = first + k;
-      const auto middle = [](std::size_t index, std::size_t n) {
-        return (static_cast<double>(index) + 0.5) / static_cast<double>(n);
-      };
-      const double ci = middle(i / (kCosines * kAzimuths), kCosines), co = middle(i / kAzimuths % kCosines, kCosines);
-      const double turn = static_cast<double>(i) * kPi * (3 - std::sqrt(5.0));
-      if (pairs)
-        pairs->set(k, fromSpherical(std::acos(ci), turn),
-                   fromSpherical(std::acos(co), turn + 2 * kPi * middle(i % kAzimuths, kAzimuths)));
-      if (valid) valid[k] = 1;
-    }
-    if (values) std::fill_n(values, channels_.count() * length, 0.0);
-  }
-  bool solidAngles(std::size_t, std::size_t length, double* measures) const override {
-    std::fill_n(measures, length, 1.0);
-    return true;
-  }
-  static constexpr std::size_t kCosines = 48, kAzimuths = 96;
-
- private:
-  Channels channels_;
-};
 
 /// For each metric: weighted sums of squared residuals of a, of 0, and of the weights.
 struct MetricSums {
@@ -135,29 +100,8 @@ Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, con
   return comparison;
 }
 
-/// compare() by metrics of pairs.
-static Comparison comparePairs(const BrdfPointer& first, const BrdfPointer& second, double maximumTheta,
-                               const MetricPointer& metric) {
-  const SampleRule rule{maximumTheta, false, {}};
-  if (const SampleSet* samples = second->samples()) {
-    Comparison comparison = compareOn(*samples, *first, nullptr, rule, metric);
-    comparison.sampling = "the samples of the second, " + second->description();
-    return comparison;
-  }
-  if (const SampleSet* samples = first->samples()) {
-    Comparison comparison = compareOn(*samples, *first, second.get(), rule, metric);
-    comparison.sampling = "the samples of the first, " + first->description();
-    return comparison;
-  }
-  const HemispherePairs pairs(first->channels());
-  Comparison comparison = compareOn(pairs, *first, second.get(), rule, metric);
-  comparison.sampling = std::to_string(HemispherePairs::kCosines) + " x " + std::to_string(HemispherePairs::kCosines) +
-                        " x " + std::to_string(HemispherePairs::kAzimuths) +
-                        " pairs of directions in equal solid angles of both hemispheres";
-  return comparison;
-}
-
-Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::string_view metricText) {
+Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::string_view metricText,
+                   const SampleChoice& choice) {
   const MetricPointer metric = metricText.empty() ? nullptr : findMetric(metricText);
   const auto onSphere = std::dynamic_pointer_cast<const SphereMetric>(metric);
   BrdfPointer first = borrowed(a), second = borrowed(b);
@@ -167,7 +111,15 @@ Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta, std::strin
     first = luminance ? asLuminance(first) : asRgb(first);
     second = luminance ? asLuminance(second) : asRgb(second);
   }
-  Comparison comparison = comparePairs(first, second, maximumTheta, onSphere ? nullptr : metric);
+  const bool onFirst = choice.sampling == Sampling::Automatic && !second->samples() && first->samples();
+  const TargetSamples samples = takeSamples(onFirst ? first : second, choice, maximumTheta);
+  Comparison comparison =
+      compareOn(*samples.set, *first, onFirst ? second.get() : nullptr, samples.rule, onSphere ? nullptr : metric);
+  comparison.sampling = samples.sampling;
+  if (!samples.made)
+    comparison.sampling = onFirst ? "the samples of the first, " + first->description()
+                                  : "the samples of the second, " + second->description();
+  if (samples.weights != "none") comparison.sampling += ", weighted by " + samples.weights;
   if (onSphere) {
     const SphereErrors errors = sphereErrors(spherePicture(*second, onSphere), *first);
     comparison.metrics[metric->name()] = errors.error;

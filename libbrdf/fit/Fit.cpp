@@ -1,9 +1,11 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/Compare.h>
+#include <brdf/fit/ConstantModel.h>
 #include <brdf/fit/Cost.h>
 #include <brdf/fit/SpherePicture.h>
 #include <brdf/fit/StartSearch.h>
+#include <brdf/fit/TargetSamples.h>
 #include <brdf/fit/Uncertainty.h>
 #include <brdf/material/ChannelView.h>
 
@@ -117,6 +119,16 @@ class Fitter {
   bool stopped_ = false;
 };
 
+std::string channelNames(const FitChannels& asked, const Channels& seen) {
+  if (asked.kind == FitChannels::Kind::List) {
+    std::string names;
+    for (const std::size_t index : asked.list) names += (names.empty() ? "" : ",") + std::to_string(index);
+    return names;
+  }
+  if (asked.kind == FitChannels::Kind::Luminance) return "luminance";
+  return seen.kind == Channels::Kind::Rgb ? "rgb" : seen.kind == Channels::Kind::Spectral ? "spectral" : "monochrome";
+}
+
 std::string percent(double fraction) { return formatNumber(100 * fraction, 3) + " %"; }
 
 }  // namespace
@@ -133,19 +145,12 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   if (!(options.tolerance > 0))
     throw Error(Error::Kind::Value,
                 {"tolerance out of bounds", "tolerance", formatNumber(options.tolerance), "above 0"});
-  if (!(options.maximumTheta > 0 && options.maximumTheta <= 90))
-    throw Error(Error::Kind::Value, {"theta limit out of bounds", "maximum theta", formatNumber(options.maximumTheta),
-                                     "above 0, at most 90 degrees"});
   const BrdfPointer seen = selectChannels(BrdfPointer(BrdfPointer(), &target), options.channels);
-  const SampleSet* samples = seen->samples();
-  if (!samples)
-    throw Error(Error::Kind::Value,
-                {"the target has no samples to fit", "target", target.description(), "measured data"});
-  const SampleRule rule{options.maximumTheta, false, {}};
+  const TargetSamples samples = takeSamples(seen, options.samples, options.maximumTheta);
   // A picture sees too few directions to find a lobe from afar: pairs find it first, by the metric nearest to
   // lightness.
   const auto onSphere = std::dynamic_pointer_cast<const SphereMetric>(metric);
-  const FitData data = FitData::read(*samples, onSphere ? findMetric("cuberoot") : metric, rule);
+  const FitData data = FitData::read(*samples.set, onSphere ? findMetric("cuberoot") : metric, samples.rule);
   if (data.samples == 0)
     throw Error(Error::Kind::Value, {"the target has no valid sample", "target", target.description(), "at least 1"});
 
@@ -160,6 +165,11 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   report.optimizer = options.optimizer;
   report.strategy = separable ? "separable" : "joint";
   report.samples = judged.samples;
+  report.offered = samples.set->count();
+  report.sampling = samples.sampling;
+  report.weights = samples.weights;
+  report.maximumTheta = options.maximumTheta;
+  report.channelNames = channelNames(options.channels, seen->channels());
   report.channels = data.channels;
   report.notes = problem.notes();
 
@@ -188,7 +198,10 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   }
   report.material = std::make_shared<LobeSum>(std::move(lobes), seen->channels());
 
-  Comparison errors = compareOn(*samples, *report.material, nullptr, rule, data.metric);
+  Comparison errors = compareOn(*samples.set, *report.material, nullptr, samples.rule, data.metric);
+  const ConstantModel constant = bestConstant(judged);
+  report.constantModel = constant.values;
+  report.constantError = constant.error;
   report.metrics = std::move(errors.metrics);
   report.zeroModel = std::move(errors.zeroModel);
   if (onSphere) {

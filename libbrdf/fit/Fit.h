@@ -37,6 +37,22 @@ struct FitChannels {
   std::vector<std::size_t> list;  ///< indices of the target's channels, for List
 };
 
+/// Where the values of a target are looked at.
+enum class Sampling {
+  Automatic,   ///< its own samples where it has any, else Hemisphere
+  All,         ///< its own samples: measured points, cells of a table
+  Hemisphere,  ///< pairs of directions in equal solid angles
+  Importance   ///< random pairs, more where the target is bright, weighted so that the mean is that of Hemisphere
+};
+
+struct SampleChoice {
+  Sampling sampling = Sampling::Automatic;
+  /// Hemisphere and Importance: how many, at most 1e7; 0: 221184 and 100000.
+  std::size_t count = 0;
+  std::uint64_t seed = 1;    ///< Importance
+  bool solidAngles = false;  ///< All: each sample counts by the solid angle of its cell, else all alike
+};
+
 struct FitOptions {
   /// A name in metricNames(), or one with an argument: "relative:FLOOR", "huber:DELTA", "sphere[:MAP]", "formula:TEXT"
   /// (findMetric).
@@ -45,6 +61,7 @@ struct FitOptions {
   Strategy strategy = Strategy::Automatic;
   Combination combination = Combination::Shared;
   FitChannels channels;
+  SampleChoice samples;
   double maximumTheta = 90;  ///< degrees; samples with theta_i or theta_o above are left out
   /// Relative: stop when a step lowers the squared error by less than this part and moves no parameter (in its
   /// logarithm where its scale is one) by more than a hundredth of the square root of this.
@@ -80,11 +97,19 @@ struct FitReport {
   double error = 0;                         ///< in the metric asked for
   std::map<std::string, double> metrics;    ///< by every metric
   std::map<std::string, double> zeroModel;  ///< the same for the model that answers 0
+  /// The constant BRDF (one value of at least 0 a channel, 1/sr) with the least error in the metric asked for.
+  std::vector<double> constantModel;
+  double constantError = 0;  ///< its error
+  std::string sampling;      ///< which samples of the target were used, in words
+  std::string weights;       ///< "none", "solid-angle" or "importance"
+  double maximumTheta = 90;  ///< degrees
+  std::string channelNames;  ///< what the channels are: "luminance", "rgb", "spectral", or the target's numbers "0,3"
   double seconds = 0;
   /// Evaluations of the error by the optimizer, all starts; on large data the first runs see a subset only.
   std::size_t evaluations = 0;
   std::size_t iterations = 0;
   std::size_t samples = 0;  ///< samples used
+  std::size_t offered = 0;  ///< samples there were, with those invalid or beyond the theta limit
   std::size_t channels = 0;
   bool converged = false;
   std::string termination;  ///< the reason, in words
@@ -92,16 +117,17 @@ struct FitReport {
   std::vector<std::string> notes;  ///< what a user should know: rank deficiency, parameters at bounds, weak lobes
 };
 
-/// Fits a sum of lobes to a target that has samples (target.samples()). Throws Error::Kind::Value for an unknown
-/// metric or optimizer, a combination that cannot be, or a target without valid samples.
+/// Fits a sum of lobes to a target of any kind. Throws Error::Kind::Value for an unknown metric or optimizer, a
+/// combination that cannot be, or a target without valid samples.
 BRDF_EXPORT FitReport fit(const Brdf& target, const std::vector<LobeRequest>& lobes, const FitOptions& options);
 
 BRDF_EXPORT std::vector<std::string> metricNames();
 BRDF_EXPORT std::vector<std::string> optimizerNames();
 
-/// Differences between two BRDFs by every metric (means over samples and channels, unweighted but for metrics that say
-/// otherwise), on b's samples when b has any, else on a's, else on a quadrature of the hemisphere pairs; `zeroModel` is
-/// b against 0. Metrics by solid angle are left out where the samples have no cells.
+/// Differences between two BRDFs by every metric (means over samples and channels, unweighted unless asked, or the
+/// metric says so), on the samples of b that `samples` chooses; Automatic: on b's own when it has any, else on a's,
+/// else on pairs of directions in equal solid angles. `zeroModel` is b against 0. Metrics by solid angle are left out
+/// where the samples have no cells.
 struct Comparison {
   std::map<std::string, double> metrics;
   std::map<std::string, double> zeroModel;
@@ -111,7 +137,8 @@ struct Comparison {
   std::string sampling;  ///< where the samples come from, in words
 };
 /// `metric`: one to judge by besides metricNames(), as FitOptions::metric, or empty.
-BRDF_EXPORT Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta = 90, std::string_view metric = {});
+BRDF_EXPORT Comparison compare(const Brdf& a, const Brdf& b, double maximumTheta = 90, std::string_view metric = {},
+                               const SampleChoice& samples = {});
 
 /// The target seen through other channels: luminance (one channel), rgb, or a list of the target's own.
 /// Luminance of spectral data is sum(f ybar) / sum(ybar) over its wavelengths (equal energy, CIE 1931 2-degree);

@@ -29,8 +29,8 @@ struct SampleBlock {
 /// Samples first .. first + length - 1. `weighted`: with weights; throws Error::Kind::Value when the set has none.
 /// `other`, where given, is evaluated at the same pairs: its values are in the planes after the set's own, and samples
 /// where it is invalid are left out.
-SampleBlock readSamples(const SampleSet& set, std::size_t first, std::size_t length, double maximumTheta, bool weighted,
-                        std::initializer_list<const Brdf*> others = {});
+BRDF_EXPORT SampleBlock readSamples(const SampleSet& set, std::size_t first, std::size_t length, double maximumTheta,
+                                    bool weighted, std::initializer_list<const Brdf*> others = {});
 
 /// The median of |f| (1/sr) over valid samples and channels of the set, or of `b` at its pairs where given: of at most
 /// 65536 samples, in runs spread over the set. Where it is 0 the mean, and 1 where that is 0 too.

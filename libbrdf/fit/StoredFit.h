@@ -10,8 +10,10 @@ namespace brdf {
 ///   writer.add("fit", *report.material, provenance) -> group; storeFit(group, report)
 ///
 /// Group Fit of the entry: attributes Metric, Error, Optimizer, Strategy, Seconds, Evaluations, Iterations, Samples,
-/// Channels, Converged, Termination, Notes; groups Metrics and ZeroModel with one number a metric; group Parameters
-/// with one list a column (Channel -1: shared by all channels; StandardError NaN: not determined).
+/// Channels, Converged, Termination, Notes, MetricFormula, Sampling, Weights, ChannelNames, MaximumTheta (degrees),
+/// SamplesOffered, ConstantError; list ConstantModel (1/sr, one number a channel); groups Metrics and ZeroModel with
+/// one number a metric; group Parameters with one list a column (Channel -1: shared by all channels; StandardError NaN:
+/// not determined).
 BRDF_EXPORT void storeFit(const h5::Group& entry, const FitReport& report);
 
 /// The report stored with entry `index`. Throws Error::Kind::Value when the entry is no fit, and Error::Kind::Format

@@ -99,6 +99,17 @@ TEST(Report, AFitRecoversTheMaterialItsTableWasMadeOf) {
   EXPECT_EQ(stored["metrics"]["rms"], 0.0) << "the container holds another material than the report names";
 }
 
+TEST(Report, AFormulaIsFittedWhereAskedAndTheReportSaysWhere) {
+  const json fit =
+      reportOf(scratchFolder(), {"fit", kTruth, "--lobes", "Lambertian + GGX", "--fix", "ior=1.5", "--sampling",
+                                 "importance", "--samples", "5000", "--seed", "3", "--metric", "huber:0.5"});
+  EXPECT_LT(fit["error"].get<double>(), 1e-6 * fit["zero_model"]["huber:0.5"].get<double>());
+  EXPECT_EQ(fit["target"]["weights"], "importance");
+  EXPECT_EQ(fit["target"]["sampling"], "5000 draws by importance, seed 3");
+  EXPECT_GT(fit["constant_model"]["error"], fit["error"]);
+  EXPECT_EQ(fit["constant_model"]["values"].size(), 1u);
+}
+
 TEST(Report, CompareIsZeroForTheSameMaterialAndTheZeroModelIsNot) {
   const json report = reportOf(scratchFolder(), {"compare", kTruth, kTruth});
   for (const char* metric : {"rms", "rms_cos", "log", "cuberoot"}) {

@@ -209,8 +209,12 @@ TEST(Fit, RefusesWhatCannotBe) {
             std::string::npos);
   EXPECT_NE(refusal(target, {LobeRequest{findModel("Ward"), {}, {}, {{"ax", "ax"}}}}, {}).find("tied"),
             std::string::npos);
-  EXPECT_NE(refusal(*parseMaterialExpression("0.5*Lambertian"), {lobe("GGX")}, {}).find("no samples"),
+  options = {};
+  options.samples.sampling = Sampling::All;
+  EXPECT_NE(refusal(*parseMaterialExpression("0.5*Lambertian"), {lobe("GGX")}, options).find("no samples"),
             std::string::npos);
+  options.samples = {Sampling::Hemisphere, 100'000'000, 1, false};
+  EXPECT_NE(refusal(target, {lobe("GGX")}, options).find("at most 10000000"), std::string::npos);
   ScatteredSamples invalid = synthesize(*parseMaterialExpression("0.5*Lambertian"), 20);
   invalid.valid.assign(20, 0);
   EXPECT_NE(refusal(ScatteredBrdf(invalid, "nothing valid"), {lobe("GGX")}, {}).find("no valid sample"),

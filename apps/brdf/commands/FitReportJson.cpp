@@ -31,6 +31,13 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
           {"error", report.error},
           {"metrics", report.metrics},
           {"zero_model", report.zeroModel},
+          {"constant_model", {{"error", report.constantError}, {"values", report.constantModel}}},
+          {"target",
+           {{"sampling", report.sampling},
+            {"weights", report.weights},
+            {"max_theta", report.maximumTheta},
+            {"samples_offered", report.offered},
+            {"channels", report.channelNames}}},
           {"seconds", report.seconds},
           {"evaluations", report.evaluations},
           {"iterations", report.iterations},
@@ -82,6 +89,13 @@ std::string fitReportText(const FitReport& report) {
                : p.atBound ? "at a bound"
                            : ""});
   text += table.text() + "\n\n" + metricTable(report.metrics, report.zeroModel) + "\n\n";
+  std::string constant;
+  for (const double value : report.constantModel) constant += (constant.empty() ? "" : ", ") + formatNumber(value, 4);
+  text += "  best constant BRDF: " + report.metric + " " + number(report.constantError) + ", at " + constant + " /sr\n";
+  text += "  target: " + report.sampling + ", " + std::to_string(report.samples) + " of " +
+          std::to_string(report.offered) + " used (theta up to " + formatNumber(report.maximumTheta) +
+          " degrees), weights " + report.weights + ", channels " + report.channelNames + "\n";
+  text += "  metric: root mean square of " + report.metricFormula + "\n";
   text += "  " + std::string(report.converged ? "converged" : "not converged") + ": " + report.termination + "\n  " +
           std::to_string(report.samples) + " samples, " + std::to_string(report.channels) + " channels, " +
           report.metric + ", " + report.optimizer + ", " + report.strategy + ", " + std::to_string(report.evaluations) +
