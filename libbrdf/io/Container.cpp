@@ -220,7 +220,9 @@ void ContainerWriter::show(std::string_view name) {
   throw Error(Error::Kind::Value, {"no such table", path_.string(), std::string(name), joined(tables)});
 }
 
-void ContainerWriter::commit() { writeFile(path_, builder_.finish()); }
+void ContainerWriter::commit() { writeFile(path_, finish()); }
+
+std::string ContainerWriter::finish() { return builder_.finish(); }
 
 void writeContainer(const std::filesystem::path& path, const std::string& name, const Brdf& brdf,
                     const Provenance& provenance, const Components& components) {

@@ -93,6 +93,8 @@ class BRDF_EXPORT ContainerWriter {
   void show(std::string_view name);
   /// Writes the file; the writer is used up. Throws Error::Kind::File and leaves the old file alone when it cannot.
   void commit();
+  /// The file as bytes, which are not written; the writer is used up.
+  std::string finish();
 
  private:
   std::filesystem::path path_;
