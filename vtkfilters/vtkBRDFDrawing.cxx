@@ -3,7 +3,10 @@
 #include "vtkActor2D.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
@@ -11,6 +14,8 @@
 #include "vtkRenderer.h"
 #include "vtkTextActor.h"
 #include "vtkTextProperty.h"
+#include "vtkTexture.h"
+#include "vtkTexturedActor2D.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Text.h>
@@ -106,6 +111,54 @@ void AddRectangles(vtkRenderer* renderer, const std::vector<Rectangle>& rectangl
   data->SetPolys(cells);
   data->GetCellData()->SetScalars(colors);
   AddActor(renderer, data, Ink, 1);
+}
+
+void AddImage(vtkRenderer* renderer, vtkImageData* image, Point low, Point high)
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> corners;
+  corners->SetNumberOfComponents(2);
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell(4);
+  for (const Point& corner : { Point{ 0, 0 }, Point{ 1, 0 }, Point{ 1, 1 }, Point{ 0, 1 } })
+  {
+    cells->InsertCellPoint(
+      points->InsertNextPoint(low[0] + corner[0] * (high[0] - low[0]), low[1] + corner[1] * (high[1] - low[1]), 0));
+    corners->InsertNextTuple(corner.data());
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  data->GetPointData()->SetTCoords(corners);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(image);
+  vtkNew<vtkTexturedActor2D> actor;
+  actor->SetMapper(mapper);
+  actor->SetTexture(texture);
+  renderer->AddViewProp(actor);
+}
+
+void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double radius, const Color& color)
+{
+  constexpr int corners = 24;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  for (const Point& center : centers)
+  {
+    cells->InsertNextCell(corners);
+    for (int corner = 0; corner < corners; ++corner)
+    {
+      const double angle = 2 * std::acos(-1.0) * corner / corners;
+      cells->InsertCellPoint(
+        points->InsertNextPoint(center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle), 0));
+    }
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  AddActor(renderer, data, color, 1);
 }
 
 Color PaletteColor(std::size_t index)

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkRenderer;
 
 namespace vtkBRDFDrawing
@@ -56,6 +57,12 @@ struct Rectangle
   Color Fill;
 };
 void AddRectangles(vtkRenderer* renderer, const std::vector<Rectangle>& rectangles);
+
+/** A picture (RGB, 8 bits) in a rectangle. */
+void AddImage(vtkRenderer* renderer, vtkImageData* image, Point low, Point high);
+
+/** Filled circles. */
+void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double radius, const Color& color);
 
 /** Material number `index` of an overlay: seven colours that the colour-blind tell apart (Okabe and Ito 2008, "Color
  * Universal Design", without black), then again from the first. */
