@@ -6,7 +6,8 @@ set(brdf_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersC
 if (BRDF_BUILD_PYTHON)
   list(APPEND brdf_vtk_components Python WrappingPythonCore WrappingTools)
 endif ()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${brdf_vtk_components})
+# ParallelMPI shares a batch of fits among processes; without it a batch is one process.
+find_package(VTK 9.1 REQUIRED COMPONENTS ${brdf_vtk_components} OPTIONAL_COMPONENTS ParallelMPI)
 find_package(OpenGL REQUIRED COMPONENTS EGL)
 
 vtk_module_find_modules(brdf_module_files "${CMAKE_SOURCE_DIR}/vtkfilters")

@@ -5,16 +5,23 @@
 namespace brdf::app {
 namespace {
 
-ReadOptions& stored() {
-  static ReadOptions options;
-  return options;
+struct Stored {
+  ReadOptions options;
+  std::vector<std::string> items;
+};
+
+Stored& stored() {
+  static Stored given;
+  return given;
 }
 
 }  // namespace
 
-const ReadOptions& assumptions() { return stored(); }
+const ReadOptions& assumptions() { return stored().options; }
 
-void setAssumptions(const std::vector<std::string>& items) { stored() = parseReadOptions(items); }
+void setAssumptions(const std::vector<std::string>& items) { stored() = {parseReadOptions(items), items}; }
+
+const std::vector<std::string>& assumptionItems() { return stored().items; }
 
 std::string assumptionsHelp() {
   std::string text = "What a measured file means, against what its format says; several times: ";

@@ -13,6 +13,9 @@ const ReadOptions& assumptions();
 /// Sets it, once, from the command line's KEY=VALUE items. Throws Error::Kind::Usage.
 void setAssumptions(const std::vector<std::string>& items);
 
+/// The items that were given, as they were given.
+const std::vector<std::string>& assumptionItems();
+
 /// The keys and their values, for help.
 std::string assumptionsHelp();
 

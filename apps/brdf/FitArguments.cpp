@@ -86,6 +86,20 @@ std::string FitArguments::words() const {
          formatNumber(options_.maximumTheta) + " " + samples_.words();
 }
 
+std::string FitArguments::modelDefinitions() const {
+  std::string text;
+  for (const LobeRequest& request : requests_) {
+    text += request.model->name() + "\n" + request.model->equation() + "\n";
+    for (const Parameter& p : request.model->parameters()) {
+      text += p.name + " " + p.follows + (p.scale == Parameter::Scale::Logarithmic ? " log" : " linear");
+      for (const double number : {p.defaultValue, p.minimum, p.maximum, p.softMinimum, p.softMaximum})
+        text += " " + formatNumber(number);
+      text += "\n";
+    }
+  }
+  return text;
+}
+
 LoadedMaterial loadTarget(const std::string& spec) { return loadMaterial(spec, assumptions()); }
 
 }  // namespace brdf::app

@@ -28,6 +28,12 @@ class FitArguments {
   /// The options as they would be typed, for the record.
   std::string words() const;
 
+  const std::string& lobes() const { return lobes_; }
+  const std::string& optimizer() const { return options_.optimizer; }
+  const std::string& metric() const { return options_.metric; }
+  /// The definitions of the models to fit, as text: another text is another model, whatever its name.
+  std::string modelDefinitions() const;
+
  private:
   std::string lobes_ = "Lambertian + GGX", channels_ = "spectral", strategy_ = "automatic", combination_ = "shared";
   std::vector<std::string> fixed_;

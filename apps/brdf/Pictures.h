@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// The commands that draw: what they ask of the picture module (brdf_pictures), which links VTK and OpenGL. The program
@@ -22,6 +23,8 @@ PictureSize sizeOption(const std::string& text);
 
 struct LobePicture {
   std::vector<std::string> materials;
+  std::vector<std::string> names;  ///< of the materials, in the legend; empty: as they are written
+  std::string title;               ///< empty: the picture's own
   ReadOptions assumptions;
   double thetaI = 45, phiI = 0;  ///< degrees
   std::string transform = "none";
@@ -33,6 +36,7 @@ struct LobePicture {
 
 struct ErrorPicture {
   std::string a, b;
+  std::string nameA, nameB;  ///< on the picture; empty: as they are written
   ReadOptions assumptions;
   std::string measure = "absolute";
   std::string axes = "theta_i,theta_o";
@@ -84,12 +88,37 @@ struct AuditPicture {
   std::string out;  ///< .png
 };
 
+/// Numbers of several series in several groups, as dots on logarithmic axes.
+struct DotPlotPicture {
+  std::string title, note;
+  std::vector<std::string> groups, series;  ///< of each dot
+  /// Title of a panel and its numbers, one a dot; not a number: no dot.
+  std::vector<std::pair<std::string, std::vector<double>>> panels;
+  PictureSize size;
+  std::string out;  ///< .png
+};
+
+/// Rendered pictures beside each other.
+struct MontagePicture {
+  struct Item {
+    Image radiance;  ///< linear, three channels; 1 is white
+    std::string caption;
+  };
+  std::string title, note;
+  std::vector<Item> pictures;
+  std::size_t columns = 1;
+  PictureSize size;
+  std::string out;  ///< .png
+};
+
 /// What the module offers; found there under the name `brdfPictures`.
 struct PictureFunctions {
   void (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
   RenderResult (*render)(const RenderPicture&);
   void (*audit)(const AuditPicture&);
+  void (*dotPlot)(const DotPlotPicture&);
+  void (*montage)(const MontagePicture&);
   /// A mesh with normals (made where the file has none, splitting edges sharper than 40 degrees) from a .ply, .obj,
   /// .stl or .vtp file.
   TriangleMesh (*readMesh)(const std::string& path);

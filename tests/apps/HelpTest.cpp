@@ -6,7 +6,7 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "fit",
+const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "fit",   "batch",
                                             "compare", "check", "lobe", "error",   "render"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
@@ -82,5 +82,5 @@ TEST_P(QuietCommand, PrintsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Help, Command, ::testing::ValuesIn(kCommands), commandName);
 INSTANTIATE_TEST_SUITE_P(Help, QuietCommand,
-                         ::testing::Values("models", "info", "eval", "convert", "fit", "compare", "check"),
+                         ::testing::Values("models", "info", "eval", "convert", "fit", "batch", "compare", "check"),
                          commandName);

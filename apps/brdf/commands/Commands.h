@@ -23,6 +23,7 @@ Command evalCommand();
 Command convertCommand();
 Command exportCommand();
 Command fitCommand();
+Command batchCommand();
 Command checkCommand();
 Command compareCommand();
 Command lobeCommand();

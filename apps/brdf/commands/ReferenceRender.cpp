@@ -120,4 +120,11 @@ void renderReference(const Output& output, const ReferenceRequest& request) {
     throw Error(Error::Kind::Value, {"interrupted; the picture so far was kept", "brdf render", "", ""});
 }
 
+Image referenceRadiance(const RenderPicture& picture, const ReferenceOptions& options) {
+  Scene scene = sceneOf(picture);
+  const ColourSettings colours = colourSettings(picture.colours);
+  for (BrdfPointer& material : scene.materials) material = asRgb(material, colours);
+  return brdf::renderReference(scene, options).radiance;
+}
+
 }  // namespace brdf::app

@@ -19,4 +19,8 @@ struct ReferenceRequest {
 /// Draws on the CPU, writes the pictures and reports. With Ctrl-C what is drawn so far is written.
 void renderReference(const Output& output, const ReferenceRequest& request);
 
+/// One object under lights as `picture` describes it, drawn on the CPU in linear sRGB: of any material, tables among
+/// them. `picture.out` is not used.
+Image referenceRadiance(const RenderPicture& picture, const ReferenceOptions& options);
+
 }  // namespace brdf::app

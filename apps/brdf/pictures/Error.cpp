@@ -39,8 +39,8 @@ ErrorResult drawError(const ErrorPicture& request) {
   vtkNew<vtkBRDFErrorMapView> view;
   view->SetInputData(0, pipelineMaterial(request.a, request.assumptions));
   view->SetInputData(1, pipelineMaterial(request.b, request.assumptions));
-  view->SetNameA(shortName(request.a));
-  view->SetNameB(shortName(request.b));
+  view->SetNameA(request.nameA.empty() ? shortName(request.a) : request.nameA);
+  view->SetNameB(request.nameB.empty() ? shortName(request.b) : request.nameB);
   vtkBRDFErrorMap* map = view->GetErrorMap();
   map->SetMeasure(request.measure);
   map->SetAxes(request.axes);

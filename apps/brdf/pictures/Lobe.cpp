@@ -11,11 +11,12 @@ namespace brdf::app {
 void drawLobe(const LobePicture& request) {
   vtkNew<vtkBRDFLobeView> view;
   vtkSmartPointer<vtkBRDF> first;
-  for (const std::string& material : request.materials) {
-    const auto data = pipelineMaterial(material, request.assumptions);
+  for (std::size_t k = 0; k < request.materials.size(); ++k) {
+    const auto data = pipelineMaterial(request.materials[k], request.assumptions);
     if (!first) first = data;
-    view->AddInputData(data, shortName(material));
+    view->AddInputData(data, k < request.names.size() ? request.names[k] : shortName(request.materials[k]));
   }
+  view->SetTitle(request.title);
   view->SetThetaI(request.thetaI);
   view->SetPhiI(request.phiI);
   view->SetTransform(request.transform);

@@ -10,6 +10,7 @@
 class vtkBRDF;
 class vtkBRDFAlgorithm;
 class vtkBRDFView;
+class vtkImageData;
 
 /// The picture module: a library of its own, loaded by ../Pictures.cpp. One file a command.
 namespace brdf::app {
@@ -20,10 +21,17 @@ RenderResult drawRender(const RenderPicture& request);
 TriangleMesh readMesh(const std::string& path);
 void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path);
 void drawAudit(const AuditPicture& request);
+void drawDotPlot(const DotPlotPicture& request);
+void drawMontage(const MontagePicture& request);
 GlslRunner shaderProbe();
 
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
 vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material, const ReadOptions& assumptions);
+
+/// Linear radiance, three channels, as VTK's picture of floats.
+vtkSmartPointer<vtkImageData> toVtk(const Image& radiance);
+/// Radiance as the 8-bit sRGB picture that `request` asks for.
+vtkSmartPointer<vtkImageData> toneMapped(vtkImageData* radiance, const RenderPicture& request);
 
 /// How a picture names a material: a file without its folder, anything else as it is.
 std::string shortName(const std::string& material);

@@ -68,16 +68,9 @@ void addLight(vtkBRDFRender* render, const Light& light, double rotation) {
 }
 
 void writePng(vtkImageData* radiance, const RenderPicture& request, const std::string& path) {
-  vtkNew<vtkBRDFToneMap> tone;
-  tone->SetInputDataObject(radiance);
-  tone->SetExposure(request.exposure);
-  tone->SetCurve(request.toneCurve == "aces"       ? vtkBRDFToneMap::ACES
-                 : request.toneCurve == "reinhard" ? vtkBRDFToneMap::REINHARD
-                                                   : vtkBRDFToneMap::CLAMP);
-  tone->Update();
   AtomicFile file(path);
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(tone->GetOutputPort());
+  writer->SetInputData(toneMapped(radiance, request));
   writer->SetFileName(file.temporaryPath().c_str());
   writer->Write();
   if (writer->GetErrorCode() != vtkErrorCode::NoError)
@@ -138,15 +131,30 @@ TriangleMesh readMesh(const std::string& path) {
   return mesh;
 }
 
-void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path) {
-  vtkNew<vtkImageData> picture;
+vtkSmartPointer<vtkImageData> toVtk(const Image& radiance) {
+  auto picture = vtkSmartPointer<vtkImageData>::New();
   const auto width = static_cast<int>(radiance.width), height = static_cast<int>(radiance.height);
   picture->SetDimensions(width, height, 1);
   picture->AllocateScalars(VTK_FLOAT, 3);
   for (int y = 0; y < height; ++y)  // VTK's rows go up
     std::copy_n(radiance.pixel(0, static_cast<std::size_t>(height - 1 - y)), 3 * radiance.width,
                 static_cast<float*>(picture->GetScalarPointer(0, y, 0)));
-  writePng(picture, request, path);
+  return picture;
+}
+
+void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path) {
+  writePng(toVtk(radiance), request, path);
+}
+
+vtkSmartPointer<vtkImageData> toneMapped(vtkImageData* radiance, const RenderPicture& request) {
+  vtkNew<vtkBRDFToneMap> tone;
+  tone->SetInputDataObject(radiance);
+  tone->SetExposure(request.exposure);
+  tone->SetCurve(request.toneCurve == "aces"       ? vtkBRDFToneMap::ACES
+                 : request.toneCurve == "reinhard" ? vtkBRDFToneMap::REINHARD
+                                                   : vtkBRDFToneMap::CLAMP);
+  tone->Update();
+  return tone->GetOutput();
 }
 
 RenderResult drawRender(const RenderPicture& request) {
