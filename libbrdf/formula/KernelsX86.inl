@@ -87,17 +87,17 @@ BRDF_SIMD(double, DoubleV, BRDF_CALL_D)
 #if defined(__AVX512F__)
 // Quotients and roots from the processor's 14-bit estimates, refined by Newton steps and a last one on the residual,
 // whose fused multiply-add is exact: at most 0.56 ulp off, and two to four times faster than the instructions. Lanes
-// where a step meets 0, infinity, NaN, a subnormal numerator or a huge denominator send their whole vector to the
-// instruction.
+// where a step meets 0, infinity, NaN, a subnormal numerator or a denominator so huge that its refined reciprocal is
+// subnormal (0 in float, which flushes) send their whole vector to the instruction.
+constexpr int kZero = 0x06, kSubnormal = 0x20;  // classes of vfpclass
 inline FloatV Simd<float>::divide(FloatV a, FloatV b) {
   const FloatV one = fill(1);
   FloatV r = _mm512_rcp14_ps(b);
   r = _mm512_fmadd_ps(r, _mm512_fnmadd_ps(b, r, one), r);
   FloatV q = a * r;
   q = _mm512_fmadd_ps(_mm512_fnmadd_ps(b, q, a), r, q);
-  const __mmask16 good =
-      _mm512_cmp_ps_mask(q, q, _CMP_ORD_Q) & _mm512_cmp_ps_mask(_mm512_abs_ps(b), fill(0x1p125f), _CMP_LT_OQ);
-  return __builtin_expect(good == 0xffff, 1) ? q : a / b;
+  const __mmask16 bad = _mm512_cmp_ps_mask(q, q, _CMP_UNORD_Q) | _mm512_fpclass_ps_mask(r, kZero | kSubnormal);
+  return __builtin_expect(bad == 0, 1) ? q : a / b;
 }
 inline DoubleV Simd<double>::divide(DoubleV a, DoubleV b) {
   const DoubleV one = fill(1);
@@ -106,10 +106,9 @@ inline DoubleV Simd<double>::divide(DoubleV a, DoubleV b) {
   r = _mm512_fmadd_pd(r, _mm512_fmadd_pd(e, e, e), r);
   DoubleV q = a * r;
   q = _mm512_fmadd_pd(_mm512_fnmadd_pd(b, q, a), r, q);
-  const __mmask8 good =
-      _mm512_cmp_pd_mask(q, q, _CMP_ORD_Q) & _mm512_cmp_pd_mask(_mm512_abs_pd(b), fill(0x1p1000), _CMP_LT_OQ);
-  const __mmask8 subnormal = _mm512_fpclass_pd_mask(a, 0x20);
-  return __builtin_expect((good & ~subnormal) == 0xff, 1) ? q : a / b;
+  const __mmask8 bad = _mm512_cmp_pd_mask(q, q, _CMP_UNORD_Q) | _mm512_fpclass_pd_mask(r, kZero | kSubnormal) |
+                       _mm512_fpclass_pd_mask(a, kSubnormal);
+  return __builtin_expect(bad == 0, 1) ? q : a / b;
 }
 inline FloatV Simd<float>::sqrt(FloatV a) {
   const FloatV y = _mm512_rsqrt14_ps(a);

@@ -17,7 +17,6 @@ void writeNativeConstants(T* behindUniforms) {
   behindUniforms[2] = T(0.375);
   behindUniforms[3] = std::bit_cast<T>(sign);
   behindUniforms[4] = std::bit_cast<T>(~sign);
-  behindUniforms[5] = sizeof(T) == 4 ? T(0x1p125) : T(0x1p1000);
 }
 template void writeNativeConstants(float*);
 template void writeNativeConstants(double*);
@@ -26,8 +25,8 @@ template void writeNativeConstants(double*);
 
 template <class T>
 struct NativeCode<T>::Code {
-  std::unique_ptr<NativeEmitter<T>> emitter, streamingEmitter;  // own the memory of the code
-  typename NativeEmitter<T>::Function function, streaming;
+  std::unique_ptr<NativeEmitter> emitter, streamingEmitter;  // own the memory of the code
+  NativeEmitter::Function<T> function, streaming;
   std::size_t width;
 };
 
@@ -36,10 +35,10 @@ std::unique_ptr<const NativeCode<T>> NativeCode<T>::make(const Program& program,
   if (set.vectorBytes == 0 || !program.straight()) return nullptr;
   try {
     auto code = std::make_unique<Code>();
-    code->emitter = std::make_unique<NativeEmitter<T>>(program, set, false);
-    code->function = code->emitter->finish();
-    code->streamingEmitter = std::make_unique<NativeEmitter<T>>(program, set, true);
-    code->streaming = code->streamingEmitter->finish();
+    code->emitter = std::make_unique<NativeEmitter>(program, set, sizeof(T), false);
+    code->function = code->emitter->template finish<T>();
+    code->streamingEmitter = std::make_unique<NativeEmitter>(program, set, sizeof(T), true);
+    code->streaming = code->streamingEmitter->template finish<T>();
     code->width = set.vectorBytes / sizeof(T);
     return std::unique_ptr<const NativeCode>(new NativeCode(std::move(code)));
   } catch (const Xbyak::Error&) {

@@ -21,7 +21,7 @@ class NativeCode {
   /// Lanes of one vector.
   std::size_t width() const;
   /// Runs over `count` lanes, a multiple of width(). `uniforms` has kNativeConstants numbers more behind the program's
-  /// (nativeConstants()).
+  /// (writeNativeConstants()).
   void run(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t count) const;
   /// The same for outputs that do not fit in the caches: they are written without being read into them first. Outputs
   /// are aligned to whole vectors, and none is an operand (Program::readsOutputs()).
@@ -33,9 +33,8 @@ class NativeCode {
   std::unique_ptr<Code> code_;
 };
 
-inline constexpr std::size_t kNativeConstants = 6;
-/// What machine code expects behind the uniforms: 1, 1/2, 3/8, the sign bit, all bits but it, and the largest divisor
-/// whose reciprocal is a normal number.
+inline constexpr std::size_t kNativeConstants = 5;
+/// What machine code expects behind the uniforms: 1, 1/2, 3/8, the sign bit, and all bits but it.
 template <class T>
 void writeNativeConstants(T* behindUniforms);
 

@@ -1,156 +1,41 @@
 #pragma once
 // Translates a Program's instructions to AVX2 or AVX-512. Internal to NativeCode.cpp.
-#include <brdf/formula/Kernels.h>
-#include <brdf/formula/Program.h>
-#include <xbyak/xbyak.h>
+#include <brdf/formula/NativeAssembler.h>
+#include <brdf/formula/NativePlan.h>
 
 #include <functional>
 
 namespace brdf::formula {
 
-/// Register use: rbx inputs, rbp outputs, r12 uniforms, r13 byte offset of the vector, r14 its end, rsp the spill slots
-/// (one a program register). Vector registers 0 to 5 are scratch (and arguments), the rest hold the program's
-/// registers; those for which there is none live in their slots.
-template <class T>
-class NativeEmitter : private Xbyak::CodeGenerator {
+/// The machine code of one straight program, which lives as long as this.
+class NativeEmitter : private NativeAssembler {
  public:
-  using Function = void (*)(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t bytes);
-
-  /// `streaming`: outputs, aligned to whole vectors, go to memory past the caches.
-  NativeEmitter(const Program& program, const KernelSet& set, bool streaming)
-      : Xbyak::CodeGenerator(4096, Xbyak::AutoGrow),
-        program_(program),
-        set_(set),
-        streaming_(streaming),
-        wide_(set.vectorBytes == 64),
-        constants_(program.uniforms_.size()) {
-    findLive();
+  NativeEmitter(const Program& program, const KernelSet& set, std::size_t scalarBytes, bool streaming)
+      : NativeAssembler(program, set, scalarBytes, streaming),
+        functions_(static_cast<const VectorFunction*>(single_ ? set.floatFunctions : set.doubleFunctions)),
+        plan_(
+            program, [this](Op op) { return function(op) != nullptr; }, wide_ ? kMasks : NativePlan::kUnlimited),
+        heldMask_(program.registerCount_, NativePlan::kNumber) {
     emitFunction();
   }
 
-  Function finish() {
+  /// `T` as scalarBytes says.
+  template <class T>
+  using Function = void (*)(const T* const* inputs, T* const* outputs, const T* uniforms, std::size_t bytes);
+  template <class T>
+  Function<T> finish() {
     readyRE();
-    return getCode<Function>();
+    return getCode<Function<T>>();
   }
 
  private:
-  using Vector = Xbyak::Xmm;  // of any width: the encoder looks at the register
-  using Address = Xbyak::Address;
-  using Place = Program::Place;
-  using ProgramOperand = Program::Operand;
-  using Instruction = Program::Instruction;
-  static constexpr bool kSingle = sizeof(T) == 4;
-  static constexpr int kScratch = 6;
-  enum Constant { kOne, kHalf, kThreeEighths, kSign, kMagnitude, kLargestDivisor };
+  static constexpr int kFirstMask = 4, kMasks = 4;  // k1 to k3 are scratch
 
-  Vector vector(int index) const { return wide_ ? Vector(Xbyak::Zmm(index)) : Vector(Xbyak::Ymm(index)); }
-  std::size_t registersForProgram() const { return (wide_ ? 32 : 16) - kScratch; }
-  bool inRegister(const ProgramOperand& o) const {
-    return o.place == Place::Register && o.index < registersForProgram();
+  /// The kernel set's own function of an operation, or null.
+  VectorFunction function(Op op) const {
+    const std::size_t binary = arity(op) == 2 ? static_cast<std::size_t>(Op::Count) : 0;
+    return functions_[static_cast<std::size_t>(op) + binary];
   }
-  Vector registerOf(const ProgramOperand& o) const { return vector(kScratch + static_cast<int>(o.index)); }
-
-  // ----- values ------------------------------------------------------------------------------------------------
-
-  Address slot(std::size_t programRegister) const {
-    return ptr[rsp + static_cast<int>(programRegister * set_.vectorBytes)];
-  }
-  Address uniform(std::size_t index) const { return ptr[r12 + static_cast<int>(index * sizeof(T))]; }
-  Address uniformToAllLanes(std::size_t index) const { return ptr_b[r12 + static_cast<int>(index * sizeof(T))]; }
-  /// Where an input, an output or a spilled register lies; uses rax.
-  Address memory(const ProgramOperand& o) {
-    if (o.place == Place::Register) return slot(o.index);
-    mov(rax, ptr[(o.place == Place::Input ? rbx : rbp) + static_cast<int>(8 * o.index)]);
-    return ptr[rax + r13];
-  }
-  void broadcast(const Vector& to, std::size_t index) {
-    const int k = to.getIdx();
-    if constexpr (kSingle)
-      vbroadcastss(to, uniform(index));
-    else if (wide_)
-      vbroadcastsd(Xbyak::Zmm(k), uniform(index));
-    else
-      vbroadcastsd(Xbyak::Ymm(k), uniform(index));
-  }
-  void broadcastConstant(const Vector& to, Constant constant) { broadcast(to, constants_ + constant); }
-  void loadInto(const Vector& to, const ProgramOperand& o) {
-    if (inRegister(o))
-      vmovaps(to, registerOf(o));
-    else if (o.place == Place::Uniform)
-      broadcast(to, o.index);
-    else
-      vmovups(to, memory(o));
-  }
-  /// The operand in a register: its own, or `scratch` filled with it.
-  Vector load(const ProgramOperand& o, int scratch) {
-    if (inRegister(o)) return registerOf(o);
-    loadInto(vector(scratch), o);
-    return vector(scratch);
-  }
-  /// Calls use(operand) with a register or, where an instruction can take it, a memory operand.
-  template <class Use>
-  void withOperand(const ProgramOperand& o, int scratch, const Use& use) {
-    if (inRegister(o))
-      use(registerOf(o));
-    else if (o.place != Place::Uniform)
-      use(memory(o));
-    else if (wide_)
-      use(uniformToAllLanes(o.index));
-    else
-      use(load(o, scratch));
-  }
-  template <class Use>
-  void withConstant(Constant constant, int scratch, const Use& use) {
-    withOperand({Place::Uniform, static_cast<std::uint32_t>(constants_ + constant)}, scratch, use);
-  }
-  /// Calls make(register) for the target's register, or for scratch 5 that is then stored.
-  template <class Make>
-  void into(const ProgramOperand& target, const Make& make) {
-    if (inRegister(target)) return make(registerOf(target));
-    make(vector(5));
-    store(target, vector(5));
-  }
-  /// To an output or a spilled register.
-  void store(const ProgramOperand& target, const Vector& from) {
-    if (streaming_ && target.place == Place::Output)
-      vmovntps(memory(target), from);
-    else
-      vmovups(memory(target), from);
-  }
-
-  // ----- operations --------------------------------------------------------------------------------------------
-
-#define BRDF_BOTH(name, ps, pd)     \
-  template <class... Operands>      \
-  void name(const Operands&... o) { \
-    if constexpr (kSingle)          \
-      ps(o...);                     \
-    else                            \
-      pd(o...);                     \
-  }
-  BRDF_BOTH(plus, vaddps, vaddpd)
-  BRDF_BOTH(minus, vsubps, vsubpd)
-  BRDF_BOTH(times, vmulps, vmulpd)
-  BRDF_BOTH(over, vdivps, vdivpd)
-  BRDF_BOTH(least, vminps, vminpd)
-  BRDF_BOTH(most, vmaxps, vmaxpd)
-  BRDF_BOTH(root, vsqrtps, vsqrtpd)
-  BRDF_BOTH(bitAnd, vandps, vandpd)
-  BRDF_BOTH(bitXor, vxorps, vxorpd)
-  BRDF_BOTH(compare, vcmpps, vcmppd)
-  BRDF_BOTH(reciprocal14, vrcp14ps, vrcp14pd)
-  BRDF_BOTH(reciprocalRoot14, vrsqrt14ps, vrsqrt14pd)
-  BRDF_BOTH(fma213, vfmadd213ps, vfmadd213pd)
-  BRDF_BOTH(fma231, vfmadd231ps, vfmadd231pd)
-  BRDF_BOTH(fms213, vfmsub213ps, vfmsub213pd)
-  BRDF_BOTH(fms231, vfmsub231ps, vfmsub231pd)
-  BRDF_BOTH(fnma213, vfnmadd213ps, vfnmadd213pd)
-  BRDF_BOTH(fnma231, vfnmadd231ps, vfnmadd231pd)
-  BRDF_BOTH(blendByVector, vblendvps, vblendvpd)
-  BRDF_BOTH(blendByMask, vblendmps, vblendmpd)
-#undef BRDF_BOTH
-
-  enum Predicate { kEqual = 0, kLess = 1, kLessEqual = 2, kNotEqual = 4, kOrdered = 7 };
 
   template <class Emit>
   void binary(const Instruction& i, const Emit& emit) {
@@ -159,70 +44,89 @@ class NativeEmitter : private Xbyak::CodeGenerator {
                 [&](const Xbyak::Operand& b) { into(i.target, [&](const Vector& to) { emit(to, a, b); }); });
   }
 
-  /// 1 where the comparison holds, else 0.
-  void comparison(const Instruction& i, Predicate predicate) {
-    const Vector a = load(i.operands[0], 0), b = load(i.operands[1], 1);
-    condition(a, b, predicate);
-    truthInto(i.target);
+  // Truths. A truth that serves only as a condition stays one: in a mask register (AVX-512), or in the vector register
+  // as all bits (AVX2). Any other is 1 or 0.
+
+  bool isCondition(const ProgramOperand& o) const {
+    return o.place == Place::Register && heldMask_[o.index] != NativePlan::kNumber;
   }
-  /// Leaves a condition in k1, or in scratch 3 as all bits.
-  void condition(const Vector& a, const Vector& b, Predicate predicate) {
-    if (wide_)
-      compare(k1, a, b, predicate);
-    else
-      compare(vector(3), a, b, predicate);
+  /// The mask register that is to hold the truth in work.
+  Xbyak::Opmask maskInWork() const { return mask_ < 0 ? k1 : Xbyak::Opmask(kFirstMask + mask_); }
+  /// AVX-512: the operand's truth in a mask register, its own or `scratch`; scratch vector 4 is 0.
+  Xbyak::Opmask truthMask(const ProgramOperand& o, const Xbyak::Opmask& scratch) {
+    if (isCondition(o)) return Xbyak::Opmask(kFirstMask + heldMask_[o.index]);
+    compare(scratch, load(o, 0), vector(4), kNotEqual);
+    return scratch;
   }
+  /// AVX2: the operand's truth as all bits of a vector register, its own or `scratch`; scratch vector 4 is 0.
+  Vector truthBits(const ProgramOperand& o, int scratch) {
+    const Vector value = load(o, scratch);
+    if (isCondition(o)) return value;
+    compare(vector(scratch), value, vector(4), kNotEqual);
+    return vector(scratch);
+  }
+  void clearScratch4() { vxorps(Xbyak::Xmm(4), Xbyak::Xmm(4), Xbyak::Xmm(4)); }
+  /// Stores the truth in maskInWork() or, as all bits, in scratch 3.
   void truthInto(const ProgramOperand& target) {
+    if (mask_ >= 0) {
+      if (!wide_) moveInto(target, vector(3));
+      return;
+    }
     into(target, [&](const Vector& to) {
-      if (wide_) {
-        if constexpr (kSingle)
-          vbroadcastss(to | k1 | T_z, uniform(constants_ + kOne));
-        else
-          vbroadcastsd(Xbyak::Zmm(to.getIdx()) | k1 | T_z, uniform(constants_ + kOne));
-      } else {
+      if (!wide_) {
         broadcastConstant(vector(4), kOne);
         bitAnd(to, vector(3), vector(4));
+      } else if (single_) {
+        vbroadcastss(to | k1 | T_z, uniform(constants_ + kOne));
+      } else {
+        vbroadcastsd(Xbyak::Zmm(to.getIdx()) | k1 | T_z, uniform(constants_ + kOne));
       }
     });
   }
-  /// Both, either, or the opposite of truths.
+
+  void comparison(const Instruction& i, Predicate predicate) {
+    const Vector a = load(i.operands[0], 0), b = load(i.operands[1], 1);
+    if (wide_)
+      compare(maskInWork(), a, b, predicate);
+    else
+      compare(vector(3), a, b, predicate);
+    truthInto(i.target);
+  }
   void logic(const Instruction& i) {
-    const Vector zero = vector(4);
-    vxorps(Xbyak::Xmm(4), Xbyak::Xmm(4), Xbyak::Xmm(4));
-    const Vector a = load(i.operands[0], 0);
-    if (i.op == Op::Not) {
-      condition(a, zero, kEqual);
-      return truthInto(i.target);
-    }
-    const Vector b = load(i.operands[1], 1);
+    clearScratch4();
     if (wide_) {
-      compare(k1, a, zero, kNotEqual);
-      compare(k2, b, zero, kNotEqual);
-      if (i.op == Op::And)
-        kandw(k1, k1, k2);
+      const Xbyak::Opmask a = truthMask(i.operands[0], k1), b = i.op == Op::Not ? a : truthMask(i.operands[1], k2);
+      if (i.op == Op::Not)
+        knotw(maskInWork(), a);
+      else if (i.op == Op::And)
+        kandw(maskInWork(), a, b);
       else
-        korw(k1, k1, k2);
+        korw(maskInWork(), a, b);
     } else {
-      compare(vector(2), a, zero, kNotEqual);
-      compare(vector(3), b, zero, kNotEqual);
-      if (i.op == Op::And)
-        vandps(vector(3), vector(3), vector(2));
-      else
-        vorps(vector(3), vector(3), vector(2));
+      const Vector a = truthBits(i.operands[0], 1), b = i.op == Op::Not ? a : truthBits(i.operands[1], 2);
+      if (i.op == Op::Not) {
+        compare(vector(4), vector(4), vector(4), kEqual);
+        vxorps(vector(3), a, vector(4));
+      } else if (i.op == Op::And) {
+        vandps(vector(3), a, b);
+      } else {
+        vorps(vector(3), a, b);
+      }
     }
     truthInto(i.target);
   }
   void select(const Instruction& i) {
-    vxorps(Xbyak::Xmm(4), Xbyak::Xmm(4), Xbyak::Xmm(4));
-    const Vector test = load(i.operands[0], 0);
-    condition(test, vector(4), kNotEqual);
-    const Vector yes = load(i.operands[1], 1), no = load(i.operands[2], 2);
-    into(i.target, [&](const Vector& to) {
-      if (wide_)
-        blendByMask(to | k1, no, yes);
-      else
-        blendByVector(to, no, yes, vector(3));
-    });
+    if (!isCondition(i.operands[0])) clearScratch4();
+    if (wide_) {
+      const Xbyak::Opmask test = truthMask(i.operands[0], k1);
+      const Vector no = load(i.operands[2], 2);
+      withOperand(i.operands[1], 1, [&](const Xbyak::Operand& yes) {
+        into(i.target, [&](const Vector& to) { blendByMask(to | test, no, yes); });
+      });
+    } else {
+      const Vector test = truthBits(i.operands[0], 3), yes = load(i.operands[1], 1), no = load(i.operands[2], 2);
+      into(i.target, [&](const Vector& to) { blendByVector(to, no, yes, test); });
+    }
   }
 
   /// a * b + c (MulAdd), a * b - c (MulSub) or c - a * b (NegMulAdd), rounded once.
@@ -270,7 +174,7 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     reciprocal14(r, b);
     broadcastConstant(e, kOne);
     fnma231(e, b, r);
-    if constexpr (kSingle) {
+    if (single_) {
       fma213(e, r, r);
     } else {
       fma213(e, e, e);
@@ -280,14 +184,13 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     vmovaps(rest, a);
     fnma231(rest, b, q);
     fma213(rest, e, q);  // the quotient
-    compare(k1, rest, rest, kOrdered);
-    withConstant(kMagnitude, 2, [&](const Xbyak::Operand& mask) { bitAnd(q, b, mask); });
-    withConstant(kLargestDivisor, 2, [&](const Xbyak::Operand& limit) { compare(k1 | k1, q, limit, kLess); });
-    if constexpr (!kSingle) {
-      vfpclasspd(k2, a, 0x20);
-      kandnb(k1, k2, k1);
+    compare(k1, rest, rest, kUnordered);
+    classify(k2, e, kZero | kSubnormal);
+    if (!single_) {
+      classify(k3, a, kSubnormal);
+      korw(k2, k2, k3);
     }
-    orElse([this, a, b, rest] { over(rest, a, b); });
+    orElse(k2, [this, a, b, rest] { over(rest, a, b); });
     moveInto(i.target, rest);
   }
 
@@ -296,7 +199,7 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     if (!wide_) return into(i.target, [&](const Vector& to) { root(to, a); });
     const Vector y = vector(1), s = vector(2), e = vector(3), t = vector(4);
     reciprocalRoot14(y, a);
-    if constexpr (!kSingle) {
+    if (!single_) {
       times(s, a, y);
       broadcastConstant(e, kOne);
       fnma231(e, s, y);
@@ -310,8 +213,8 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     vmovaps(e, s);
     fnma213(e, s, a);
     fma213(e, y, s);  // the root
-    compare(k1, e, e, kOrdered);
-    orElse([this, a, e] { root(e, a); });
+    compare(k1, e, e, kUnordered);
+    orElse(k1, [this, a, e] { root(e, a); });
     moveInto(i.target, e);
   }
 
@@ -322,26 +225,21 @@ class NativeEmitter : private Xbyak::CodeGenerator {
       store(target, from);
   }
 
-  /// Where k1 does not hold for every lane, does `other`, out of the way of those who need it not.
-  void orElse(std::function<void()> other) {
-    if constexpr (kSingle)
-      kortestw(k1, k1);
-    else
-      kortestb(k1, k1);
+  /// Where k1 or `either` holds for any lane, does `other`, out of the way of those who need it not.
+  void orElse(const Xbyak::Opmask& either, std::function<void()> other) {
+    kortestw(k1, either);
     detours_.push_back({Xbyak::Label(), Xbyak::Label(), std::move(other)});
-    jnc(detours_.back().begin, T_NEAR);
+    jnz(detours_.back().begin, T_NEAR);
     L(detours_.back().end);
   }
 
-  /// The kernel set's own function; it may change every vector register.
+  /// Calls function(), which may change every vector and mask register.
   void call(const Instruction& i, const std::vector<bool>& live) {
     const int count = arity(i.op);
     for (std::size_t k = 0; k < live.size(); ++k)
       if (live[k] && k < registersForProgram()) vmovups(slot(k), vector(kScratch + static_cast<int>(k)));
     for (int k = 0; k < count; ++k) loadInto(vector(k), i.operands[k]);
-    const auto* functions = static_cast<const VectorFunction*>(kSingle ? set_.floatFunctions : set_.doubleFunctions);
-    const std::size_t which = static_cast<std::size_t>(i.op) + (count == 2 ? static_cast<std::size_t>(Op::Count) : 0);
-    mov(rax, reinterpret_cast<std::size_t>(functions[which]));
+    mov(rax, reinterpret_cast<std::size_t>(function(i.op)));
     Xbyak::CodeGenerator::call(rax);
     moveInto(i.target, vector(0));
     for (std::size_t k = 0; k < live.size(); ++k)
@@ -401,16 +299,12 @@ class NativeEmitter : private Xbyak::CodeGenerator {
 
   // ----- the whole ---------------------------------------------------------------------------------------------
 
-  /// For each instruction, the program registers that are read after it before they are written.
-  void findLive() {
-    const std::vector<Instruction>& list = program_.instructions_;
-    std::vector<bool> live(program_.registerCount_, false);
-    liveAfter_.resize(list.size());
-    for (std::size_t at = list.size(); at-- > 0;) {
-      liveAfter_[at] = live;
-      if (list[at].target.place == Place::Register) live[list[at].target.index] = false;
-      for (int k = 0; k < std::max(1, arity(list[at].op)); ++k)
-        if (list[at].operands[k].place == Place::Register) live[list[at].operands[k].index] = true;
+  /// Asks for the inputs' lines some vectors ahead: the processor itself stops at the ends of pages.
+  void prefetchInputs() {
+    for (std::size_t k = 0; k < std::size(program_.reads_); ++k) {
+      if (!program_.reads_[k]) continue;
+      mov(rax, ptr[rbx + static_cast<int>(8 * k)]);
+      prefetcht0(ptr[rax + r13 + kPrefetchDistance]);
     }
   }
 
@@ -430,7 +324,13 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     jz(done, T_NEAR);
     align(32);
     L(next);
-    for (std::size_t at = 0; at < program_.instructions_.size(); ++at) emit(program_.instructions_[at], liveAfter_[at]);
+    if (streaming_) prefetchInputs();
+    for (std::size_t at = 0; at < program_.instructions_.size(); ++at) {
+      const Instruction& instruction = program_.instructions_[at];
+      mask_ = plan_.mask[at];
+      emit(instruction, plan_.liveAfter[at]);
+      if (instruction.target.place == Place::Register) heldMask_[instruction.target.index] = mask_;
+    }
     add(r13, static_cast<int>(set_.vectorBytes));
     cmp(r13, r14);
     jb(next, T_NEAR);
@@ -452,11 +352,12 @@ class NativeEmitter : private Xbyak::CodeGenerator {
     std::function<void()> body;
   };
 
-  const Program& program_;
-  const KernelSet& set_;
-  bool streaming_, wide_;
-  std::size_t constants_;
-  std::vector<std::vector<bool>> liveAfter_;
+  static constexpr int kPrefetchDistance = 1024;  // bytes
+
+  const VectorFunction* functions_;
+  NativePlan plan_;
+  int mask_ = NativePlan::kNumber;  ///< plan_.mask of the instruction in work
+  std::vector<int> heldMask_;       ///< the same of the value that each program register holds
   std::vector<Detour> detours_;
 };
 

@@ -41,8 +41,9 @@ class BRDF_EXPORT Program {
 
  private:
   friend class ProgramCompiler;
-  template <class T>
+  friend class NativeAssembler;
   friend class NativeEmitter;
+  friend struct NativePlan;
 
   enum class Place : std::uint8_t { Register, Input, Output, Uniform };
   struct Operand {

@@ -107,7 +107,7 @@ TEST_P(NativeCode, LongOutputsThatBypassTheCachesAreTheSame) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sets, NativeCode, testing::Values("avx512", "avx2"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& set) { return set.param; });
 
 }  // namespace
 }  // namespace brdf::formula
