@@ -158,9 +158,47 @@ bool Graph::Equal::operator()(const Node& a, const Node& b) const {
          std::bit_cast<std::uint64_t>(a.value) == std::bit_cast<std::uint64_t>(b.value);
 }
 
+Graph::Range Graph::rangeOf(const Node& node) const {
+  const auto range = [&](int k) { return ranges_[node.operands[k]]; };
+  const auto least = [&] { return std::min(range(0), range(1)); };
+  switch (node.op) {
+    case Op::Constant:
+      return !std::isfinite(node.value) ? Range::Any
+             : node.value > 0           ? Range::Positive
+             : node.value == 0          ? Range::NonNegative
+                                        : Range::Number;
+    case Op::Input:
+    case Op::Parameter:
+      return Range::Number;
+    case Op::Neg:
+    case Op::Sub:
+      return std::min(Range::Number, node.op == Op::Neg ? range(0) : least());
+    case Op::Abs:
+      return range(0) == Range::Number ? Range::NonNegative : range(0);
+    case Op::Sqrt:
+      return range(0) >= Range::NonNegative ? range(0) : Range::Any;
+    case Op::Add:
+      return least() == Range::NonNegative ? std::max(range(0), range(1)) : least();
+    case Op::Mul:  // of positive numbers: perhaps so small that it is 0
+      if (least() == Range::Number && node.operands[0] == node.operands[1]) return Range::NonNegative;
+      return std::min(least(), Range::NonNegative);
+    case Op::Min:
+      return least();
+    case Op::Max:
+      return least() == Range::Any ? Range::Any : std::max(range(0), range(1));
+    case Op::Select:
+      return std::min(range(1), range(2));
+    default:
+      return Range::Any;
+  }
+}
+
 NodeId Graph::intern(const Node& node) {
   const auto [it, added] = ids_.try_emplace(node, static_cast<NodeId>(nodes_.size()));
-  if (added) nodes_.push_back(node);
+  if (added) {
+    nodes_.push_back(node);
+    ranges_.push_back(rangeOf(node));
+  }
   return it->second;
 }
 
@@ -318,6 +356,10 @@ NodeId Graph::simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found) {
     case Op::Min:
     case Op::Max:
       if (a == b) return a;
+      if (op == Op::Max && isConstant(b) && number(b) <= 0 && ranges_[a] >= Range::NonNegative) return a;
+      break;
+    case Op::Less:
+      if (isConstant(a) && number(a) <= 0 && ranges_[b] == Range::Positive) return constant(1);
       break;
     case Op::Select:
       if (isConstant(a)) return number(a) != 0 ? b : c;

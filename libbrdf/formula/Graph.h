@@ -105,8 +105,9 @@ BRDF_EXPORT std::string_view opName(Op op);
 BRDF_EXPORT double applyOp(Op op, double a, double b, double c);
 
 /// A hash-consed expression graph: equal expressions are one node, constants are folded, and identities such as x*1,
-/// x+0 and 0*x (0 whatever x is) are removed when a node is made. Operands have smaller ids than the nodes that use
-/// them, so ascending ids are an evaluation order.
+/// x+0 and 0*x (0 whatever x is) are removed when a node is made; so are comparisons with 0, and max with it, that the
+/// structure decides (sums of squares, roots), for inputs and parameters that are numbers and results that do not
+/// overflow. Operands have smaller ids than the nodes that use them, so ascending ids are an evaluation order.
 class BRDF_EXPORT Graph {
  public:
   NodeId constant(double value);
@@ -154,10 +155,19 @@ class BRDF_EXPORT Graph {
   struct Equal {
     bool operator()(const Node& a, const Node& b) const;
   };
+  /// What the structure of a node says of its value.
+  enum class Range : std::uint8_t {
+    Any,          ///< perhaps NaN
+    Number,       ///< not NaN
+    NonNegative,  ///< a number >= 0
+    Positive      ///< a number > 0
+  };
+  Range rangeOf(const Node& node) const;
   NodeId intern(const Node& node);
   NodeId simplified(Op op, NodeId a, NodeId b, NodeId c, bool& found);
 
   std::vector<Node> nodes_;
+  std::vector<Range> ranges_;  ///< one a node
   std::uint32_t boundCount_ = 0;
   std::vector<std::shared_ptr<const Table>> tables_;
   std::unordered_map<Node, NodeId, Hash, Equal> ids_;

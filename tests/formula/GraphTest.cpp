@@ -78,6 +78,13 @@ TEST(Graph, SimplificationsKeepTheValue) {
       {"select(1, ux, uy)", [](double a, double) { return a; }},
       {"select(0, ux, uy)", [](double, double b) { return b; }},
       {"select(uy, ux, ux)", [](double a, double) { return a; }},
+      {"max(ux * ux, 0)", [](double a, double) { return a * a; }},
+      {"max(ux * uy, 0)", [](double a, double b) { return std::max(a * b, 0.0); }},
+      {"select(0 < 1 + ux * ux, ux, uy)", [](double a, double) { return a; }},
+      {"select(0 < ux * ux, ux, uy)", [](double a, double b) { return a * a > 0 ? a : b; }},
+      {"select(0 < ux * ux * (uy * uy + 1), ux, uy)", [](double a, double b) { return a * a > 0 ? a : b; }},
+      {"select(0 < 1 + sqrt(ux), ux, uy)", [](double a, double b) { return a >= 0 ? a : b; }},
+      {"select(0 < sqrt(1 + abs(ux)), ux, uy)", [](double a, double) { return a; }},
       {"0 && ux", [](double, double) { return 0.0; }},
       {"ux && 0", [](double, double) { return 0.0; }},
       {"0 || ux", [](double a, double) { return a != 0 ? 1.0 : 0.0; }},
@@ -97,6 +104,14 @@ TEST(Graph, SimplificationsKeepTheValue) {
         EXPECT_EQ(got, identity.meaning(a, b)) << identity.simplified << " at " << a << ", " << b;
       }
   }
+}
+
+TEST(Graph, ComparisonsThatSumsOfSquaresDecideAreGone) {
+  Graph graph;
+  const NodeId x = graph.input(Input::Ux);
+  EXPECT_EQ(parse(graph, "select(sqrt(0.5 + uy * uy) > 0, ux, uy)", {}).value, x);
+  EXPECT_EQ(parse(graph, "max(abs(uy) + ux * ux, 0)", {}).value, parse(graph, "abs(uy) + ux * ux", {}).value);
+  EXPECT_NE(parse(graph, "select(sqrt(uy * uy) > 0, ux, uy)", {}).value, x);
 }
 
 TEST(Graph, WholePowersAreWithinOneUlpAFactorOfTheExactPower) {
