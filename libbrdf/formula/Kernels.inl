@@ -197,7 +197,7 @@ constexpr FunctionTable<T> makeFunctions() {
   addUnary<Op::Sin>(t), addUnary<Op::Cos>(t), addUnary<Op::Tan>(t), addUnary<Op::Asin>(t);
   addUnary<Op::Acos>(t), addUnary<Op::Atan>(t), addUnary<Op::Sinh>(t), addUnary<Op::Cosh>(t);
   addUnary<Op::Tanh>(t), addUnary<Op::Erf>(t), addUnary<Op::Erfc>(t), addUnary<Op::Lgamma>(t);
-  addUnary<Op::Digamma>(t), addUnary<Op::Floor>(t), addBinary<Op::Pow>(t), addBinary<Op::Atan2>(t);
+  addUnary<Op::Digamma>(t), addBinary<Op::Pow>(t), addBinary<Op::Atan2>(t);
   addUnary<Op::Trigamma>(t), addUnary<Op::BesselJ0>(t), addUnary<Op::BesselJ1>(t), addUnary<Op::BesselI0>(t);
   addUnary<Op::BesselI1>(t), addUnary<Op::BesselK0>(t), addUnary<Op::BesselK1>(t);
   addBinary<Op::GammaP>(t), addBinary<Op::GammaQ>(t), addBinary<Op::GammaPDa>(t);

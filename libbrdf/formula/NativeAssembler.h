@@ -138,6 +138,8 @@ class NativeAssembler : protected Xbyak::CodeGenerator {
   BRDF_BOTH(blendByVector, vblendvps, vblendvpd)
   BRDF_BOTH(blendByMask, vblendmps, vblendmpd)
   BRDF_BOTH(classify, vfpclassps, vfpclasspd)
+  BRDF_BOTH(round, vroundps, vroundpd)
+  BRDF_BOTH(roundScaled, vrndscaleps, vrndscalepd)
 #undef BRDF_BOTH
 
   enum Predicate { kEqual = 0, kLess = 1, kLessEqual = 2, kUnordered = 3, kNotEqual = 4 };

@@ -256,6 +256,11 @@ class NativeEmitter : private NativeAssembler {
           into(i.target, [&](const Vector& to) { i.op == Op::Neg ? bitXor(to, a, mask) : bitAnd(to, a, mask); });
         });
       }
+      case Op::Floor: {
+        constexpr int down = 9;  // towards -infinity, without the exception "inexact"
+        const Vector a = load(i.operands[0], 0);
+        return into(i.target, [&](const Vector& to) { wide_ ? roundScaled(to, a, down) : round(to, a, down); });
+      }
       case Op::Copy:
         return into(i.target, [&](const Vector& to) { loadInto(to, i.operands[0]); });
       case Op::Add:

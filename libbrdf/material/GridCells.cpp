@@ -52,15 +52,31 @@ void GridCells::interpolatePacked(const GridLocator& locator, const DirectionPai
   const T* const cells = packedAs(values);
   const std::size_t each = width();
   const GridKernel<T> kernel = gridKernel<T>(locator.dimensions(), each);
-  GridLocator::Block<T> block;
+  // While a block waits for its cells, the next one is located.
+  struct Part {
+    DirectionPairs<T> pairs;
+    GridLocator::Block<T> block;
+    std::array<const std::int32_t*, 4> step;
+    std::array<const T*, 4> weight;
+  };
+  std::array<Part, 2> parts;
+  for (Part& part : parts)
+    for (std::size_t a = 0; a < 4; ++a)
+      part.step[a] = part.block.step[a].data(), part.weight[a] = part.block.weight[a].data();
+  const auto begin = [&](std::size_t start, Part& part) {
+    if (start >= pairs.count) return;
+    part.pairs = pairs.slice(start, std::min(GridLocator::kBlock, pairs.count - start));
+    locator.locate(part.pairs, part.block);
+    kernel.request(cells, part.block.base.data(), part.step.data(), part.pairs.count);
+  };
   alignas(64) std::array<T, 4 * GridLocator::kBlock> sums;
-  std::array<const std::int32_t*, 4> step;
-  std::array<const T*, 4> weight;
-  for (std::size_t a = 0; a < 4; ++a) step[a] = block.step[a].data(), weight[a] = block.weight[a].data();
-  for (std::size_t start = 0; start < pairs.count; start += GridLocator::kBlock) {
-    const auto part = pairs.slice(start, std::min(GridLocator::kBlock, pairs.count - start));
-    locator.locate(part, block);
-    kernel(cells, block.base.data(), step.data(), weight.data(), part.count, sums.data());
+  begin(0, parts[0]);
+  for (std::size_t start = 0, which = 0; start < pairs.count; start += GridLocator::kBlock, which = 1 - which) {
+    begin(start + GridLocator::kBlock, parts[1 - which]);
+    const GridLocator::Block<T>& block = parts[which].block;
+    const DirectionPairs<T>& part = parts[which].pairs;
+    kernel.interpolate(cells, block.base.data(), parts[which].step.data(), parts[which].weight.data(), part.count,
+                       sums.data());
     std::array<T, GridLocator::kBlock> scale;
     for (std::size_t i = 0; i < part.count; ++i) {
       const T total = sums[i * each + each - 1];

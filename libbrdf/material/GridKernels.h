@@ -5,11 +5,16 @@
 
 namespace brdf {
 
-/// For `count` pairs the multilinear interpolant of packed cells, `width` numbers each: out[i * width + k]. `base` is
-/// the cell below a pair on all axes; step[a] leads to the next on axis a, whose weight is weight[a].
+/// For `count` pairs in packed cells of `width` numbers each. `base` is the cell below a pair on all axes; step[a]
+/// leads to the next on axis a.
 template <class T>
-using GridKernel = void (*)(const T* cells, const std::uint32_t* base, const std::int32_t* const* step,
-                            const T* const* weight, std::size_t count, T* out);
+struct GridKernel {
+  /// Asks the memory for the cells around each pair.
+  void (*request)(const T* cells, const std::uint32_t* base, const std::int32_t* const* step, std::size_t count);
+  /// The multilinear interpolant, out[i * width + k]; weight[a] is the weight of the next cell on axis a.
+  void (*interpolate)(const T* cells, const std::uint32_t* base, const std::int32_t* const* step,
+                      const T* const* weight, std::size_t count, T* out);
+};
 
 /// The best kernel for this machine (formula::instructionSet()): 1 to 4 dimensions, width 2 or 4.
 template <class T>

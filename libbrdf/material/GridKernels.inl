@@ -3,6 +3,7 @@
 
 namespace {
 
+using brdf::GridKernel;
 using brdf::GridKernelTable;
 using Index = std::uint32_t;
 
@@ -29,21 +30,20 @@ struct Interpolant<T, 0, width> {
 };
 
 template <class T, int dimensions, int width>
-void kernel(const T* cells, const std::uint32_t* base, const std::int32_t* const* step, const T* const* weight,
-            std::size_t count, T* out) {
-  // Corners are asked for some pairs ahead, so that the cache misses of the pairs overlap.
-  constexpr std::size_t ahead = 32;
-  const auto ask = [&](std::size_t i) {
+void request(const T* cells, const std::uint32_t* base, const std::int32_t* const* step, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
     for (int k = 0; k < 1 << dimensions; ++k) {
       Index cell = base[i];
       for (int a = 0; a < dimensions; ++a)
         if (k >> a & 1) cell += static_cast<Index>(step[a][i]);
-      __builtin_prefetch(cells + static_cast<std::size_t>(cell) * width);
+      __builtin_prefetch(cells + static_cast<std::size_t>(cell) * width, 0, 2);  // to the second-level cache
     }
-  };
-  for (std::size_t i = 0; i < (count < ahead ? count : ahead); ++i) ask(i);
+}
+
+template <class T, int dimensions, int width>
+void interpolate(const T* cells, const std::uint32_t* base, const std::int32_t* const* step, const T* const* weight,
+                 std::size_t count, T* out) {
   for (std::size_t i = 0; i < count; ++i) {
-    if (i + ahead < count) ask(i + ahead);
     Index steps[dimensions];
     T weights[dimensions];
     for (int a = 0; a < dimensions; ++a) {
@@ -56,12 +56,17 @@ void kernel(const T* cells, const std::uint32_t* base, const std::int32_t* const
   }
 }
 
+template <class T, int dimensions, int width>
+constexpr GridKernel<T> both() {
+  return {request<T, dimensions, width>, interpolate<T, dimensions, width>};
+}
+
 template <class T>
 constexpr GridKernelTable<T> makeTable() {
-  return {{{kernel<T, 1, 2>, kernel<T, 1, 4>},
-           {kernel<T, 2, 2>, kernel<T, 2, 4>},
-           {kernel<T, 3, 2>, kernel<T, 3, 4>},
-           {kernel<T, 4, 2>, kernel<T, 4, 4>}}};
+  return {{{both<T, 1, 2>(), both<T, 1, 4>()},
+           {both<T, 2, 2>(), both<T, 2, 4>()},
+           {both<T, 3, 2>(), both<T, 3, 4>()},
+           {both<T, 4, 2>(), both<T, 4, 4>()}}};
 }
 
 }  // namespace
