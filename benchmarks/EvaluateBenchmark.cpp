@@ -1,43 +1,17 @@
 // One thread, 1e6 random pairs, RGB: the block evaluator beside scalar std:: code of the same formulas. Each benchmark
-// runs both and reports their ratio, so that a loaded or slow machine does not matter.
-#include <brdf/geometry/Directions.h>
+// runs both in turn and reports the ratio of the shortest times, so that a loaded or slow machine does not matter.
 #include <brdf/material/LobeSum.h>
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <chrono>
-#include <random>
 
+#include "Measuring.h"
 #include "ScalarModels.h"
 
 namespace {
 
 using namespace brdf;
-
-constexpr std::size_t kPairs = 1'000'000;
-
-template <class T>
-const DirectionPairBuffer<T>& randomPairs() {
-  static const DirectionPairBuffer<T> pairs = [] {
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const auto direction = [&] {
-      const Direction w = fromSpherical(std::acos(std::sqrt(uniform(random))), 2 * kPi * uniform(random));
-      return std::array<T, 3>{T(w[0]), T(w[1]), T(w[2])};
-    };
-    DirectionPairBuffer<T> made(kPairs);
-    for (std::size_t i = 0; i < kPairs; ++i) made.set(i, direction(), direction());
-    return made;
-  }();
-  return pairs;
-}
-
-double secondsOf(const auto& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// Times the expression's evaluation, beside `plain(pairs, out)`.
 template <class T, class Plain>
@@ -104,13 +78,38 @@ void evaluateSgd(benchmark::State& state) {
                   });
 }
 
-#define REGISTER(name)                                                                   \
-  BENCHMARK(name<float>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7); \
-  BENCHMARK(name<double>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(7)
+/// From the text of a sum to its first value: reading it, its sampling weights, its program, machine code.
+void firstValue(benchmark::State& state, const char* expression) {
+  const std::array<double, 6> x{0.36, 0.48, 0.8, -0.6, 0, 0.8};
+  const DirectionPairs<double> pair{{&x[0], &x[1], &x[2]}, {&x[3], &x[4], &x[5]}, 1};
+  std::array<double, 3> value;
+  double evaluations = 0;
+  for (auto _ : state) {
+    std::shared_ptr<const Brdf> material;
+    const double make = secondsOf([&] { material = parseMaterialExpression(expression); });
+    const double evaluate = secondsOf([&] { material->evaluate(pair, value.data(), nullptr); });
+    state.SetIterationTime(make + evaluate);
+    evaluations += evaluate;
+  }
+  state.counters["evaluate_us"] = benchmark::Counter(evaluations * 1e6, benchmark::Counter::kAvgIterations);
+}
+
+#define REGISTER(name)                                                                    \
+  BENCHMARK(name<float>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(15); \
+  BENCHMARK(name<double>)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(15)
 REGISTER(evaluateGgx);
 REGISTER(evaluateWard);
 REGISTER(evaluateCookTorrance);
 REGISTER(evaluateAshikhminShirley);
 REGISTER(evaluateSgd);
+
+#define REGISTER_FIRST(name, expression) \
+  BENCHMARK_CAPTURE(firstValue, name, expression)->Unit(benchmark::kMicrosecond)->UseManualTime()->Iterations(50)
+REGISTER_FIRST(lambertian_ggx, "(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)");
+REGISTER_FIRST(
+    three_lobes,
+    "(0.3,0.1,0.05)*Lambertian + (0.5,0.4,0.3)*GGX(alpha=0.12, ior=1.5) + 0.02*CookTorrance(m=0.4, ior=1.5)");
+REGISTER_FIRST(sgd_of_each_channel, "SGD(alpha=(0.128,0.127,0.11), K=(5.9,5.8,7.1))");
+REGISTER_FIRST(openpbr, "OpenPBR");
 
 }  // namespace

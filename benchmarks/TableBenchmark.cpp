@@ -1,7 +1,6 @@
 // One thread, 1e6 random pairs, RGB: look-ups in a table of MERL's size beside straightforward scalar code of the same
 // look-up, and loading a MERL file.
 #include <brdf/base/File.h>
-#include <brdf/geometry/Directions.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/TableBrdf.h>
@@ -10,49 +9,18 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <ctime>
 #include <filesystem>
-#include <random>
+
+#include "Measuring.h"
 
 namespace {
 
 using namespace brdf;
 
-constexpr std::size_t kPairs = 1'000'000;
-
-/// Uniform in projected solid angle.
-template <class T>
-const DirectionPairBuffer<T>& randomPairs() {
-  static const DirectionPairBuffer<T> pairs = [] {
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> uniform(0, 1);
-    const auto direction = [&] {
-      const Direction w = fromSpherical(std::acos(std::sqrt(uniform(random))), 2 * kPi * uniform(random));
-      return std::array<T, 3>{T(w[0]), T(w[1]), T(w[2])};
-    };
-    DirectionPairBuffer<T> made(kPairs);
-    for (std::size_t i = 0; i < kPairs; ++i) made.set(i, direction(), direction());
-    return made;
-  }();
-  return pairs;
-}
-
 std::shared_ptr<const TableBrdf> merlTable() {
   static const auto table =
       TableBrdf::tabulate(*parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + (0.5,0.4,0.3)*GGX(alpha=0.1)"));
   return table;
-}
-
-/// Processor time of this thread: other programs on the machine do not count.
-double secondsOf(const auto& work) {
-  const auto now = [] {
-    timespec time{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-  };
-  const double start = now();
-  work();
-  return now() - start;
 }
 
 /// What one writes first: angles by the book, eight corners, one pair at a time.
