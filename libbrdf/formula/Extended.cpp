@@ -1,4 +1,5 @@
 #include <brdf/formula/Extended.h>
+#include <brdf/formula/PlainOperations.h>
 #include <brdf/formula/Table.h>
 
 #include <boost/math/special_functions/bessel.hpp>
@@ -21,8 +22,6 @@ using Quiet =
     policies::policy<policies::domain_error<policies::ignore_error>, policies::pole_error<policies::ignore_error>,
                      policies::overflow_error<policies::ignore_error>,
                      policies::evaluation_error<policies::ignore_error>>;
-
-Wide clampToOne(const Wide& a) { return a > 1 ? Wide(1) : a < -1 ? Wide(-1) : a; }
 
 Wide wideLog(const Wide& a) {
   if (a == 0) return -std::numeric_limits<Wide>::infinity();
@@ -72,41 +71,16 @@ Wide bessel(Op op, const Wide& x) {
   }
 }
 
-Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
-  const auto truth = [](bool value) { return Wide(value ? 1 : 0); };
+Wide applySpecial(Op op, const Wide& a, const Wide& b) {
   switch (op) {
-    case Op::Neg:
-      return -a;
-    case Op::Abs:
-      return abs(a);
     case Op::Sqrt:
       return a < 0 ? std::numeric_limits<Wide>::quiet_NaN() : Wide(sqrt(a));
-    case Op::Exp:
-      return exp(a);
     case Op::Expm1:
       return abs(a) < 0.5 ? boost::math::expm1(a, Quiet{}) : Wide(exp(a) - 1);
     case Op::Log:
       return wideLog(a);
     case Op::Log1p:
       return abs(a) < 0.5 ? boost::math::log1p(a, Quiet{}) : wideLog(1 + a);
-    case Op::Sin:
-      return sin(a);
-    case Op::Cos:
-      return cos(a);
-    case Op::Tan:
-      return tan(a);
-    case Op::Asin:
-      return asin(clampToOne(a));
-    case Op::Acos:
-      return acos(clampToOne(a));
-    case Op::Atan:
-      return atan(a);
-    case Op::Sinh:
-      return sinh(a);
-    case Op::Cosh:
-      return cosh(a);
-    case Op::Tanh:
-      return tanh(a);
     case Op::Erf:
       return boost::math::erf(a, Quiet{});
     case Op::Erfc:
@@ -124,46 +98,20 @@ Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
     case Op::BesselK0:
     case Op::BesselK1:
       return bessel(op, a);
-    case Op::Floor:
-      return floor(a);
-    case Op::Not:
-      return truth(a == 0);
-    case Op::Add:
-      return a + b;
-    case Op::Sub:
-      return a - b;
-    case Op::Mul:
-      return a * b;
-    case Op::Div:
-      return a / b;
     case Op::Pow:
       return widePow(a, b);
-    case Op::Min:
-      return b < a ? b : a;
-    case Op::Max:
-      return b > a ? b : a;
-    case Op::Atan2:
-      return atan2(a, b);
     case Op::GammaP:
     case Op::GammaQ:
       return incompleteGamma(op, a, b);
     case Op::GammaPDa:
       return incompleteGammaSlope(a, b);
-    case Op::Less:
-      return truth(a < b);
-    case Op::LessEqual:
-      return truth(a <= b);
-    case Op::Equal:
-      return truth(a == b);
-    case Op::And:
-      return truth(a != 0 && b != 0);
-    case Op::Or:
-      return truth(a != 0 || b != 0);
-    case Op::Select:
-      return a != 0 ? b : c;
     default:
       return a;
   }
+}
+
+Wide apply(Op op, const Wide& a, const Wide& b, const Wide& c) {
+  return applyPlain(op, a, b, c, [&] { return applySpecial(op, a, b); });
 }
 
 /// Walks the graph scope by scope, as Program does, with loops written out plainly.

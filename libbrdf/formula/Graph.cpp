@@ -1,4 +1,5 @@
 #include <brdf/formula/Graph.h>
+#include <brdf/formula/PlainOperations.h>
 #include <brdf/formula/SpecialFunctions.h>
 #include <brdf/formula/Table.h>
 
@@ -34,45 +35,16 @@ constexpr std::array<OpInfo, static_cast<std::size_t>(Op::Count)> kOps{{
 
 bool commutative(Op op) { return op == Op::Add || op == Op::Mul || op == Op::Equal || op == Op::And || op == Op::Or; }
 
-}  // namespace
-
-int arity(Op op) { return kOps[static_cast<std::size_t>(op)].arity; }
-std::string_view opName(Op op) { return kOps[static_cast<std::size_t>(op)].name; }
-
-double applyOp(Op op, double a, double b, double c) {
+double applySpecial(Op op, double a, double b, double c) {
   switch (op) {
-    case Op::Neg:
-      return -a;
-    case Op::Abs:
-      return std::fabs(a);
     case Op::Sqrt:
       return std::sqrt(a);
-    case Op::Exp:
-      return std::exp(a);
     case Op::Expm1:
       return std::expm1(a);
     case Op::Log:
       return std::log(a);
     case Op::Log1p:
       return std::log1p(a);
-    case Op::Sin:
-      return std::sin(a);
-    case Op::Cos:
-      return std::cos(a);
-    case Op::Tan:
-      return std::tan(a);
-    case Op::Asin:
-      return std::asin(std::clamp(a, -1.0, 1.0));
-    case Op::Acos:
-      return std::acos(std::clamp(a, -1.0, 1.0));
-    case Op::Atan:
-      return std::atan(a);
-    case Op::Sinh:
-      return std::sinh(a);
-    case Op::Cosh:
-      return std::cosh(a);
-    case Op::Tanh:
-      return std::tanh(a);
     case Op::Erf:
       return std::erf(a);
     case Op::Erfc:
@@ -95,44 +67,14 @@ double applyOp(Op op, double a, double b, double c) {
       return besselK0(a);
     case Op::BesselK1:
       return besselK1(a);
-    case Op::Floor:
-      return std::floor(a);
-    case Op::Not:
-      return a == 0 ? 1 : 0;
-    case Op::Add:
-      return a + b;
-    case Op::Sub:
-      return a - b;
-    case Op::Mul:
-      return a * b;
-    case Op::Div:
-      return a / b;
     case Op::Pow:
       return std::pow(a, b);
-    case Op::Min:
-      return b < a ? b : a;
-    case Op::Max:
-      return b > a ? b : a;
-    case Op::Atan2:
-      return std::atan2(a, b);
     case Op::GammaP:
       return gammaP(a, b);
     case Op::GammaQ:
       return gammaQ(a, b);
     case Op::GammaPDa:
       return gammaPDa(a, b);
-    case Op::Less:
-      return a < b ? 1 : 0;
-    case Op::LessEqual:
-      return a <= b ? 1 : 0;
-    case Op::Equal:
-      return a == b ? 1 : 0;
-    case Op::And:
-      return a != 0 && b != 0 ? 1 : 0;
-    case Op::Or:
-      return a != 0 || b != 0 ? 1 : 0;
-    case Op::Select:
-      return a != 0 ? b : c;
     case Op::MulAdd:
       return std::fma(a, b, c);
     case Op::MulSub:
@@ -142,6 +84,15 @@ double applyOp(Op op, double a, double b, double c) {
     default:
       return a;
   }
+}
+
+}  // namespace
+
+int arity(Op op) { return kOps[static_cast<std::size_t>(op)].arity; }
+std::string_view opName(Op op) { return kOps[static_cast<std::size_t>(op)].name; }
+
+double applyOp(Op op, double a, double b, double c) {
+  return applyPlain(op, a, b, c, [&] { return applySpecial(op, a, b, c); });
 }
 
 std::size_t Graph::Hash::operator()(const Node& node) const {

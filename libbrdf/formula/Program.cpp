@@ -18,7 +18,7 @@ std::vector<const KernelSet*> availableSets() {
   std::vector<const KernelSet*> sets;
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
-    sets.insert(sets.end(), {&kKernelsAvx512, &kKernelsAvx512Alone});
+    sets = {&kKernelsAvx512, &kKernelsAvx512Alone};
   if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
     sets.insert(sets.end(), {&kKernelsAvx2, &kKernelsAvx2Alone});
   sets.push_back(&kKernelsSse2);
