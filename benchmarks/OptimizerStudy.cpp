@@ -2,8 +2,10 @@
 // docs/fitting-optimizers.md. See `optimizer_study` without arguments.
 #include <brdf/base/Text.h>
 #include <brdf/fit/Cost.h>
+#include <brdf/fit/DataStart.h>
 #include <brdf/fit/StartSearch.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -23,24 +25,36 @@ struct Outcome {
   std::size_t evaluations = 0;
 };
 
+/// What a case is made of, ready to be fitted.
+struct Ready {
+  FitData data;
+  FitProblem problem;
+  ChannelRange channels;
+
+  explicit Ready(const Case& one)
+      : data(FitData::read(*one.target->samples(), findMetric(one.metric), {})),
+        problem(one.lobes, one.target->symmetry()),
+        channels{0, data.channels} {}
+
+  Outcome run(const Optimizer& optimizer, const std::vector<double>& start) const {
+    OptimizerResult result;
+    if (data.metric->quadratic()) {
+      SeparableCost cost(problem, data, channels);
+      result = optimizer.minimize(cost, start, {});
+    } else {
+      JointCost cost(problem, data, channels);
+      result = optimizer.minimize(cost, cost.join(start, solveScales(problem, data, channels, start)), {});
+      result.x.resize(problem.coordinates().size());
+    }
+    return {std::sqrt(result.squaredError / (data.totalWeight * static_cast<double>(data.channels))),
+            problem.parameters(result.x), result.evaluations};
+  }
+};
+
 /// The optimizer by itself: one run from the case's start, nothing before and nothing after.
 Outcome runAlone(const Case& one, const Optimizer& optimizer) {
-  const MetricPointer metric = findMetric(one.metric);
-  const FitData data = FitData::read(*one.target->samples(), metric, {});
-  const FitProblem problem(one.lobes, one.target->symmetry());
-  const ChannelRange channels{0, data.channels};
-  OptimizerResult result;
-  if (metric->quadratic()) {
-    SeparableCost cost(problem, data, channels);
-    result = optimizer.minimize(cost, problem.start(), {});
-  } else {
-    JointCost cost(problem, data, channels);
-    result =
-        optimizer.minimize(cost, cost.join(problem.start(), solveScales(problem, data, channels, problem.start())), {});
-    result.x.resize(problem.coordinates().size());
-  }
-  return {std::sqrt(result.squaredError / (data.totalWeight * static_cast<double>(data.channels))),
-          problem.parameters(result.x), result.evaluations};
+  const Ready ready(one);
+  return ready.run(optimizer, ready.problem.start());
 }
 
 /// As a user gets it from `brdf fit`: shapes are scanned for starts, the case's start among them.
@@ -74,9 +88,12 @@ struct Count {
   }
 };
 
-void countSuccess(const std::vector<Case>& cases, bool known) {
+void countSuccess(const std::vector<Case>& cases, bool known, std::span<const std::string_view> names) {
+  std::vector<Optimizer> optimizers;
+  for (const Optimizer& optimizer : allOptimizers())
+    if (names.empty() || std::ranges::find(names, optimizer.name) != names.end()) optimizers.push_back(optimizer);
   std::map<std::string_view, std::array<Count, 2>> counts;
-  for (const Optimizer& optimizer : allOptimizers()) {
+  for (const Optimizer& optimizer : optimizers) {
     for (const Case& one : cases) {
       counts[optimizer.name][0].add(one, runAlone(one, optimizer));
       counts[optimizer.name][1].add(one, runFit(one, optimizer));
@@ -86,7 +103,7 @@ void countSuccess(const std::vector<Case>& cases, bool known) {
   std::printf(
       "Of %zu cases:\n\n| optimizer | alone%s | evaluations | in `brdf fit`%s | evaluations |\n|---|---|---|---|---|\n",
       cases.size(), known ? ": error, parameters too" : "", known ? ": error, parameters too" : "");
-  for (const Optimizer& optimizer : allOptimizers()) {
+  for (const Optimizer& optimizer : optimizers) {
     std::printf("| %s ", std::string(optimizer.name).c_str());
     for (const Count& count : counts[optimizer.name]) {
       std::printf("| %zu", count.errors);
@@ -97,12 +114,42 @@ void countSuccess(const std::vector<Case>& cases, bool known) {
   }
   for (int mode = 0; mode < 2; ++mode) {
     std::printf("\n%s, failures (error as a multiple of the one wanted):\n\n", mode == 0 ? "Alone" : "In `brdf fit`");
-    for (const Optimizer& optimizer : allOptimizers()) {
+    for (const Optimizer& optimizer : optimizers) {
       const Count& count = counts[optimizer.name][static_cast<std::size_t>(mode)];
       std::printf("- %s: %s\n", std::string(optimizer.name).c_str(),
                   count.failures.empty() ? "none" : joined(count.failures).c_str());
     }
   }
+}
+
+/// Levenberg-Marquardt alone, by where it starts.
+void countByStart(const std::vector<Case>& cases, bool known) {
+  constexpr const char* kNames[] = {"the case's start", "read off the data", "best of the scan", "eight at random"};
+  Count counts[std::size(kNames)];
+  const Optimizer& optimizer = findOptimizer("lm");
+  for (const Case& one : cases) {
+    const Ready ready(one);
+    if (ready.problem.coordinates().empty()) continue;
+    counts[0].add(one, ready.run(optimizer, ready.problem.start()));
+    counts[1].add(one, ready.run(optimizer, shapeFromData(ready.problem, ready.data)));
+    counts[2].add(one, ready.run(optimizer, scanShapes(ready.problem, ready.data, 1).front().x));
+    Outcome best;
+    std::size_t evaluations = 0;
+    for (const std::vector<double>& start : latinHypercube(ready.problem, 8, 1)) {
+      const Outcome outcome = ready.run(optimizer, start);
+      evaluations += outcome.evaluations;
+      if (best.parameters.empty() || outcome.error < best.error) best = outcome;
+    }
+    best.evaluations = evaluations;
+    counts[3].add(one, best);
+  }
+  std::printf("| start | found%s | evaluations |\n|---|---|---|\n", known ? ": error, parameters too" : "");
+  for (std::size_t k = 0; k < std::size(kNames); ++k)
+    std::printf("| %s | %zu%s | %zu |\n", kNames[k], counts[k].errors,
+                known ? (", " + std::to_string(counts[k].parameters)).c_str() : "", counts[k].evaluations);
+  for (std::size_t k = 0; k < std::size(kNames); ++k)
+    std::printf("\n- %s, failures: %s\n", kNames[k],
+                counts[k].failures.empty() ? "none" : joined(counts[k].failures).c_str());
 }
 
 void listCases(const std::vector<Case>& cases) {
@@ -149,15 +196,24 @@ void nist(const char* ceresPath) {
 
 int main(int count, char** arguments) {
   using namespace brdf::study;
+  const std::vector<std::string_view> rest(arguments + std::min(count, 2), arguments + count);
   const std::string what = count > 1 ? arguments[1] : "";
   if (what == "nist")
     nist(count > 2 ? arguments[2] : nullptr);
   else if (what == "cases")
     listCases(recoveryCases());
   else if (what == "reference")
-    countSuccess(referenceCases(BRDF_SHARED_DIR), false);
+    countSuccess(referenceCases(BRDF_SHARED_DIR), false, rest);
   else if (what == "recovery")
-    countSuccess(recoveryCases(), true);
-  else
-    return std::printf("optimizer_study nist [FILE of ceres_nist] | cases | reference | recovery\n"), 2;
+    countSuccess(recoveryCases(), true, rest);
+  else if (what == "starts") {
+    std::printf("Reference fits:\n\n");
+    countByStart(referenceCases(BRDF_SHARED_DIR), false);
+    std::printf("\nKnown truths:\n\n");
+    countByStart(recoveryCases(), true);
+  } else
+    return std::printf(
+               "optimizer_study nist [FILE of ceres_nist] | cases | starts | reference [OPTIMIZER...] | recovery "
+               "[OPTIMIZER...]\n"),
+           2;
 }

@@ -27,7 +27,7 @@ struct Case {
 std::vector<Case> referenceCases(const std::filesystem::path& shared);
 
 /// Every model beside a Lambertian, 0.3 Lambertian + 0.7 model, at two places of its soft range, on 2000 noise-free
-/// scattered samples (200 for two slow models) (tests/fit/SyntheticTarget.h); of models with a roughness along y the
+/// scattered samples (200 of EPD, 40 of HeTorrance: they are slow) (tests/fit/SyntheticTarget.h); of models with a roughness along y the
 /// second is anisotropic. Place k of parameter j is 0.15 + 0.7 frac(0.5 + k a_j) of the soft range, a_j the R_d
 /// sequence's, rounded to three digits. The start is at 0.95 of every soft range whose truth lies in its lower half,
 /// else at 0.05. Success: an rms error of at most a ten thousandth of the zero model's.

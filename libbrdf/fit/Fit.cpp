@@ -3,6 +3,7 @@
 #include <brdf/fit/Compare.h>
 #include <brdf/fit/ConstantModel.h>
 #include <brdf/fit/Cost.h>
+#include <brdf/fit/DataStart.h>
 #include <brdf/fit/SpherePicture.h>
 #include <brdf/fit/StartSearch.h>
 #include <brdf/fit/TargetSamples.h>
@@ -53,6 +54,8 @@ class Fitter {
       for (Start& start : scanShapes(problem_, scanData.mean(channels.first, channels.count), keep))
         starts.push_back(std::move(start.x));
     }
+    if (options_.dataStart && !problem_.coordinates().empty())
+      starts.push_back(shapeFromData(problem_, scanData.mean(channels.first, channels.count)));
     if (starts.empty() || optimizer_.usesDerivatives) starts.push_back(problem_.start());
     std::ranges::copy(latinHypercube(problem_, options_.starts, options_.seed), std::back_inserter(starts));
 

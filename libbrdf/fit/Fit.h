@@ -71,6 +71,8 @@ struct FitOptions {
   std::size_t starts = 0;  ///< extra random starts (Latin hypercube over the soft bounds)
   std::uint64_t seed = 1;  ///< of the random starts, and of optimizers that draw random numbers
   bool scan = true;        ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
+  bool dataStart = false;  ///< start from shapes read off the data too (fit/DataStart.h); with scan off only they and
+                           ///< the request's own are starts
   /// Called after each iteration with the error so far; return false to stop with the best so far.
   std::function<bool(std::size_t iteration, double error)> progress;
 };

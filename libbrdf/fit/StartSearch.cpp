@@ -125,14 +125,36 @@ Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange 
   return scales;
 }
 
+std::vector<std::size_t> coordinatesOf(const FitProblem& problem, std::size_t lobe) {
+  std::vector<std::size_t> own;
+  for (std::size_t k = 0; k < problem.coordinates().size(); ++k)
+    if (problem.coordinates()[k].lobe == lobe) own.push_back(k);
+  return own;
+}
+
+std::vector<std::vector<double>> lowDiscrepancyShapes(const FitProblem& problem, std::size_t lobe,
+                                                      const std::vector<double>& x) {
+  const std::vector<std::size_t> own = coordinatesOf(problem, lobe);
+  const std::size_t d = own.size();
+  // The R_d sequence: multiples of the powers of 1/phi_d, phi_d^(d+1) = phi_d + 1 (Roberts 2018, "The Unreasonable
+  // Effectiveness of Quasirandom Sequences").
+  double phi = 2;
+  for (int k = 0; k < 60; ++k) phi = std::pow(1 + phi, 1.0 / static_cast<double>(d + 1));
+  std::vector<std::vector<double>> shapes(d == 0 ? 0 : d == 1 ? 32 : d == 2 ? 128 : 256, x);
+  for (std::size_t k = 0; k < shapes.size(); ++k)
+    for (std::size_t j = 0; j < d; ++j) {
+      const ShapeCoordinate& coordinate = problem.coordinates()[own[j]];
+      const double position = 0.5 + static_cast<double>(k) * std::pow(phi, -static_cast<double>(j + 1));
+      shapes[k][own[j]] = std::lerp(coordinate.softLower, coordinate.softUpper, position - std::floor(position));
+    }
+  return shapes;
+}
+
 std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, std::size_t keep) {
   const std::size_t lobes = problem.lobeCount();
   const FitChunk& chunk = data.chunks.front();
   const DirectionPairs<double> pairs = chunk.pairs.view();
   const std::size_t count = pairs.count;
-  std::vector<std::vector<std::size_t>> own(lobes);  // the coordinates of each lobe
-  for (std::size_t k = 0; k < problem.coordinates().size(); ++k) own[problem.coordinates()[k].lobe].push_back(k);
-
   std::vector<double> x = problem.start();
   std::vector<std::vector<double>> values(lobes, std::vector<double>(count));
   const auto evaluateLobe = [&](std::size_t lobe, std::span<const double> at, double* out) {
@@ -153,8 +175,8 @@ std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, st
   };
   std::vector<std::size_t> scanned;
   for (std::size_t l = 0; l < lobes; ++l) {
-    included[l] = own[l].empty();
-    if (!own[l].empty()) scanned.push_back(l);
+    included[l] = coordinatesOf(problem, l).empty();
+    if (!included[l]) scanned.push_back(l);
     evaluateLobe(l, x, values[l].data());
   }
 
@@ -163,23 +185,12 @@ std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, st
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     found.clear();
     for (const std::size_t lobe : scanned) {
-      const std::size_t d = own[lobe].size();
-      const std::size_t points = d == 1 ? 32 : d == 2 ? 128 : 256;
-      // The R_d sequence: multiples of the powers of 1/phi_d, phi_d^(d+1) = phi_d + 1 (Roberts 2018, "The Unreasonable
-      // Effectiveness of Quasirandom Sequences").
-      double phi = 2;
-      for (int k = 0; k < 60; ++k) phi = std::pow(1 + phi, 1.0 / static_cast<double>(d + 1));
-      std::vector<Start> grid(points + 1);  // the last is the shape so far
-      parallelFor(points + 1, 4, [&](std::size_t first, std::size_t last) {
+      const std::vector<std::vector<double>> shapes = lowDiscrepancyShapes(problem, lobe, x);
+      std::vector<Start> grid(shapes.size() + 1);  // the last is the shape so far
+      parallelFor(grid.size(), 4, [&](std::size_t first, std::size_t last) {
         std::vector<double> lobeValues(count);
         for (std::size_t k = first; k < last; ++k) {
-          grid[k].x = x;
-          for (std::size_t j = 0; j < d && k < points; ++j) {
-            const ShapeCoordinate& coordinate = problem.coordinates()[own[lobe][j]];
-            const double position = 0.5 + static_cast<double>(k) * std::pow(phi, -static_cast<double>(j + 1));
-            grid[k].x[own[lobe][j]] =
-                std::lerp(coordinate.softLower, coordinate.softUpper, position - std::floor(position));
-          }
+          grid[k].x = k < shapes.size() ? shapes[k] : x;
           evaluateLobe(lobe, grid[k].x, lobeValues.data());
           grid[k].squaredError = errorWith(lobe, lobeValues.data());
         }

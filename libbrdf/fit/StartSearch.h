@@ -16,6 +16,14 @@ double solveScales(const ResidualBlock& block, const std::vector<const double*>&
 BRDF_EXPORT Scales solveScales(const FitProblem& problem, const FitData& data, ChannelRange channels,
                                std::span<const double> x);
 
+/// The coordinates that move a lobe, as indices of problem.coordinates().
+std::vector<std::size_t> coordinatesOf(const FitProblem& problem, std::size_t lobe);
+
+/// Shapes that differ from x in the coordinates of one lobe: a low-discrepancy set over their soft bounds, 32 of one
+/// coordinate, 128 of two, 256 of more.
+std::vector<std::vector<double>> lowDiscrepancyShapes(const FitProblem& problem, std::size_t lobe,
+                                                      const std::vector<double>& x);
+
 struct Start {
   std::vector<double> x;
   double squaredError = 0;  ///< on the data of the scan
@@ -25,10 +33,11 @@ struct Start {
 /// soft bounds (every coordinate finely stratified), scales solved in the metric; with several lobes the scans are
 /// repeated with the others at their best. The request's own start is among the result. The best `keep` that differ,
 /// best first. `data` has one channel and one chunk.
-std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, std::size_t keep);
+BRDF_EXPORT std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, std::size_t keep);
 
 /// A Latin hypercube of shapes over the soft bounds (McKay, Beckman, Conover 1979); the same for the same seed
 /// everywhere.
-std::vector<std::vector<double>> latinHypercube(const FitProblem& problem, std::size_t count, std::uint64_t seed);
+BRDF_EXPORT std::vector<std::vector<double>> latinHypercube(const FitProblem& problem, std::size_t count,
+                                                            std::uint64_t seed);
 
 }  // namespace brdf
