@@ -49,7 +49,8 @@ void FitArguments::declare(Arguments& arguments) {
   arguments.choice("--combination", combination_, {"shared", "per-channel"}, "One shape for all channels, or one each");
   arguments.flag("--progressive", progressive_, "Fit one lobe more at a time, in the order given");
   arguments.option("--starts", options_.starts, {0, 100000}, "Random starts besides the scan");
-  arguments.option("--seed", seed_, {0, 9e15}, "Of the random starts and of --sampling importance");
+  arguments.option("--seed", seed_, {0, 9e15}, "Of random starts and optimizers, and of --sampling importance");
+  arguments.flag("--data-start", options_.dataStart, "Start from shapes read off the data, too");
   arguments.flag("--no-scan", noScan_, "Start from the defaults instead of scanning the shapes");
   arguments.option("--tolerance", options_.tolerance, {0, 1}, "NUMBER", "Relative: stop when steps gain less");
   arguments.option("--max-iterations", options_.maximumIterations, {1, 1000000}, "Of each start");
