@@ -140,6 +140,18 @@ TEST(Batch, AFitThatFailsIsRecordedAndTheOthersAreDone) {
   EXPECT_EQ(finishedFits(runBrdf(folder, {"batch", "job.json", "--retry"})), 2u);
 }
 
+TEST(Batch, TargetsOfOneContentAreFittedOnceAndHaveRowsOfTheirOwn) {
+  const auto folder = scratchFolder();
+  writeJob(folder, job(kFits));
+  fs::copy_file(folder / "a.csv", folder / "b.csv", fs::copy_options::overwrite_existing);
+  EXPECT_EQ(finishedFits(runBrdf(folder, {"batch", "job.json"})), 4u);
+  const Json report = reportOf(folder, {"batch", "job.json"});
+  EXPECT_EQ(report["fitted"], 8);
+  EXPECT_EQ(report["results"][1]["report"], report["results"][5]["report"]);
+  EXPECT_EQ(report["results"][5]["target"], "second");
+  EXPECT_EQ(brdf::Container(folder / "job-results/results.vtkhdf").entries().size(), 8u);
+}
+
 TEST(Batch, WhatAppearsTwiceIsDoneOnce) {
   const auto folder = scratchFolder();
   writeJob(folder, job(Json::array({{{"lobes", "Lambertian + Ward"}, {"metric", {"rms", "log"}}},
@@ -224,4 +236,85 @@ TEST(Batch, OneBatchAtATimeWorksInAFolder) {
   const Outcome second = runLine(folder, "{ flock job-results/lock '" BRDF_PROGRAM "' batch job.json > /dev/null; }");
   EXPECT_EQ(second.exitCode, 1);
   EXPECT_NE(second.err.find("another batch is at work"), std::string::npos) << second.err;
+}
+
+TEST(Batch, TheReportHasATableForEachPartWithTheBestInBoldAndTheNote) {
+  const auto folder = scratchFolder();
+  Json content = job(Json::array(
+      {{{"title", "First part"}, {"lobes", {"Lambertian", "Lambertian + GGX"}}},
+       {{"title", "Second part"}, {"lobes", "Lambertian"}, {"strategy", {"joint", "separable"}}, {"metric", "log"}}}));
+  content["note"] = "surrogate";
+  writeJob(folder, content);
+  const Outcome run = runBrdf(folder, {"batch", "job.json", "--report", "report", "--json", "all.json"});
+  EXPECT_EQ(run.exitCode, 1);  // log has no linear scales
+  const Json all = Json::parse(brdf::readFile(folder / "all.json"));
+  const std::string report = brdf::readFile(folder / "report/report.md");
+  for (const char* words : {"## First part", "## Second part", "**surrogate**", "| Lambertian + GGX | **",
+                            "second, strategy separable: ", "quadratic"})
+    EXPECT_NE(report.find(words), std::string::npos) << words << "\n" << report;
+  const Json& fit = all["results"][1]["report"];
+  const double ratio = fit["error"].get<double>() / fit["zero_model"]["rms"].get<double>();
+  EXPECT_NE(report.find("**" + brdf::formatNumber(ratio, 3) + "**"), std::string::npos) << report;
+  const std::string table = brdf::readFile(folder / "report/table-1.csv");
+  const auto lines = brdf::split(table, '\n');
+  ASSERT_EQ(lines.size(), 6u);  // a heading, two targets by two sums of lobes, the end
+  for (std::size_t k = 1; k < 5; ++k) EXPECT_TRUE(lines[k].ends_with("\"surrogate\"")) << lines[k];
+  if (report.find("No pictures") != std::string::npos) GTEST_SKIP() << "no pictures here: " << report;
+  EXPECT_EQ(filesIn(folder / "report"),
+            (std::vector<std::string>{"error-map-1-1.png", "error-map-1-2.png", "errors-1.png", "errors-2.png",
+                                      "lobes-1-1.png", "lobes-1-2.png", "report.md", "spheres-1.png", "table-1.csv",
+                                      "table-2.csv"}));
+}
+
+namespace {
+
+/// Runs scripts/section7.sh with a program that makes small measurements and plans instead of fitting.
+Outcome planSection7(const fs::path& folder, const std::string& arguments) {
+  writeMeasurement(folder / "small.csv", 0.3);
+  brdf::writeFile(folder / "planner.sh", "#!/bin/sh\nif [ \"$1\" = convert ]; then cp '" + folder.string() +
+                                             "/small.csv' \"$3\"; echo \"# $2\" >> \"$3\"; else exec '" BRDF_PROGRAM
+                                             "' \"$@\" --plan; fi\n");
+  fs::permissions(folder / "planner.sh", fs::perms::owner_all);
+  return runLine(folder,
+                 "BRDF=" + (folder / "planner.sh").string() + " " BRDF_SOURCE_DIR "/scripts/section7.sh " + arguments);
+}
+
+}  // namespace
+
+TEST(Section7, WithoutTheMeasurementsEveryFitSaysSurrogate) {
+  const auto folder = scratchFolder();
+  const Outcome run = planSection7(folder, "--merl none --out out");
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  std::size_t fits = 0;
+  for (const auto line : brdf::split(run.out, '\n'))
+    if (line.ends_with(")") && line.find(": Lambertian + ") != std::string_view::npos) {
+      EXPECT_NE(line.find("(surrogate)"), std::string_view::npos) << line;
+      ++fits;
+    }
+  EXPECT_EQ(fits, 76u) << run.out;
+  EXPECT_NE(Json::parse(brdf::readFile(folder / "out/section7.json"))["note"].get<std::string>().find("surrogate"),
+            std::string::npos);
+}
+
+TEST(Section7, WithAllFourMeasurementsItFitsThoseAndWithThreeOnlySurrogates) {
+  const auto folder = scratchFolder();
+  fs::create_directories(folder / "merl");
+  int number = 0;
+  for (const char* name : {"red-fabric", "orange-paint", "pearl-paint"})
+    writeMeasurement(folder / "merl" / (std::string(name) + ".binary"), 0.2 + 0.1 * ++number);
+  EXPECT_NE(planSection7(folder, "--merl merl --out three").out.find("(surrogate)"), std::string::npos);
+  writeMeasurement(folder / "merl/blue-metallic-paint.binary", 0.6);
+  const Outcome run = planSection7(folder, "--merl merl --out four");
+  EXPECT_EQ(run.exitCode, 0) << run.err;
+  EXPECT_EQ(run.out.find("surrogate"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("blue-metallic-paint: Lambertian + Ward"), std::string::npos) << run.out;
+}
+
+TEST(Section7, WrongUsageIsToldInOneLine) {
+  const auto folder = scratchFolder();
+  for (const char* arguments : {"--nonsense", "--merl", "--ranks 0", "--ranks two"}) {
+    const Outcome run = planSection7(folder, arguments);
+    EXPECT_EQ(run.exitCode, 2) << arguments;
+    EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+  }
 }

@@ -160,6 +160,11 @@ std::unique_ptr<BatchTask> makeTask(const std::vector<Option>& options, const st
 
 std::string keyOf(const BatchTask& task, const BatchTarget& target) {
   std::map<std::string, std::string> sorted(task.options.begin(), task.options.end());
+  for (auto& [name, value] : sorted) {  // a file that an option names, as in metric sphere:MAP
+    std::error_code ignored;
+    if (const std::string file = value.substr(value.find(':') + 1); fs::is_regular_file(file, ignored))
+      value += " " + sha256(readFile(file));
+  }
   const Json content = {{"format", 1},           {"program", BRDF_VERSION},
                         {"target", target.hash}, {"assume", assumptionItems()},
                         {"options", sorted},     {"models", task.fit.modelDefinitions()}};
@@ -185,7 +190,7 @@ void addBlock(BatchJob& job, const Json& fits, const std::string& where, std::ma
       auto task = makeTask(options, choice, where);
       task->target = target;
       task->key = keyOf(*task, job.targets[target]);
-      const auto [entry, isNew] = known.emplace(task->key, job.tasks.size());
+      const auto [entry, isNew] = known.emplace(task->key + " " + std::to_string(target), job.tasks.size());
       if (isNew) job.tasks.push_back(std::move(task));
       block.tasks.push_back(entry->second);
       more = false;

@@ -50,7 +50,7 @@ struct BatchBlock {
 struct BatchJob {
   std::string title, note;
   std::vector<BatchTarget> targets;
-  std::vector<std::unique_ptr<BatchTask>> tasks;  ///< each once
+  std::vector<std::unique_ptr<BatchTask>> tasks;  ///< each once; targets of one content share keys
   std::vector<BatchBlock> blocks;
 };
 

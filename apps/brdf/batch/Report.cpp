@@ -14,6 +14,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 
 namespace fs = std::filesystem;
 
@@ -22,7 +24,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A part with more ways than this has too many lobes for one picture.
+// More lobes than this are too many for one picture.
 constexpr std::size_t kMostOverlaid = 5;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
@@ -34,22 +36,29 @@ struct Cell {
   double error = kNone, zero = kNone, seconds = kNone;
   double evaluations = kNone;
   bool converged = false;
-  double ratio() const { return error / zero; }
+  std::map<std::string, double> ratios;  ///< error / error of the zero model, by metric
+
+  double ratio(const std::string& judge) const {
+    const auto found = ratios.find(judge);
+    return found == ratios.end() ? kNone : found->second;
+  }
 };
 
 /// One part of the job: a table of ways to fit (rows) by targets (columns).
 struct Part {
   std::string title;
+  bool comparesLobes = false;  ///< its fits differ in their lobes
   std::vector<std::string> targets, ways;
+  std::vector<std::string> judges;       ///< metrics that its fits minimise: each fit is shown by all of them
   std::vector<std::vector<Cell>> cells;  ///< by target, then way
 
-  /// The way that fits a target best, relative to the zero model; none when nothing was fitted.
+  /// The way that fits a target best by the first judge; none when nothing was fitted.
   std::optional<std::size_t> best(std::size_t target) const {
     std::optional<std::size_t> found;
     for (std::size_t way = 0; way < ways.size(); ++way) {
       const Cell& cell = cells[target][way];
-      if (cell.fitted && std::isfinite(cell.ratio()) && (!found || cell.ratio() < cells[target][*found].ratio()))
-        found = way;
+      const double ratio = cell.ratio(judges[0]);
+      if (std::isfinite(ratio) && (!found || ratio < cells[target][*found].ratio(judges[0]))) found = way;
     }
     return found;
   }
@@ -66,7 +75,11 @@ Cell readCell(const BatchTask& task, const BatchRecords& records, std::size_t en
   cell.entry = entry;
   const auto number = [](const Json& value) { return value.is_number() ? value.get<double>() : kNone; };
   cell.error = number(report.value("error", Json()));
-  cell.zero = number(report.value("zero_model", Json::object()).value(report.value("metric", ""), Json()));
+  const Json zero = report.value("zero_model", Json::object());
+  cell.zero = number(zero.value(cell.metric, Json()));
+  const Json metrics = report.value("metrics", Json::object());
+  for (const auto& [name, error] : metrics.items())
+    cell.ratios[name] = number(error) / number(zero.value(name, Json()));
   cell.seconds = number(report.value("seconds", Json()));
   cell.evaluations = number(report.value("evaluations", Json()));
   cell.converged = report.value("converged", false);
@@ -92,6 +105,7 @@ std::vector<Part> readParts(const BatchJob& job, const BatchRecords& records) {
   for (const BatchBlock& block : job.blocks) {
     Part part;
     part.title = block.title.empty() ? job.title : block.title;
+    part.comparesLobes = std::ranges::find(block.varied, "lobes") != block.varied.end();
     const std::size_t ways = block.tasks.size() / job.targets.size();
     for (std::size_t way = 0; way < ways; ++way) part.ways.push_back(wayName(*job.tasks[block.tasks[way]], block));
     for (std::size_t target = 0; target < job.targets.size(); ++target) {
@@ -100,11 +114,18 @@ std::vector<Part> readParts(const BatchJob& job, const BatchRecords& records) {
       for (std::size_t way = 0; way < ways; ++way) {
         const std::size_t task = block.tasks[target * ways + way];
         row.push_back(readCell(*job.tasks[task], records, entries[task]));
+        if (std::ranges::find(part.judges, row.back().metric) == part.judges.end())
+          part.judges.push_back(row.back().metric);
       }
     }
     parts.push_back(std::move(part));
   }
   return parts;
+}
+
+std::string errorName(const Part& part, const std::string& judge) {
+  const std::string what = "error / error of the zero model";
+  return part.judges.size() == 1 ? what : judge + ": " + what;
 }
 
 // ----- tables ------------------------------------------------------------------------------------------------------
@@ -151,9 +172,10 @@ std::string csvTable(const Part& part, const std::string& note) {
     for (std::size_t way = 0; way < part.ways.size(); ++way) {
       const Cell& cell = part.cells[target][way];
       text += quoted(part.targets[target]) + "," + quoted(part.ways[way]) + "," + quoted(cell.metric) + "," +
-              number(cell.error) + "," + number(cell.zero) + "," + number(cell.ratio()) + "," + number(cell.seconds) +
-              "," + number(cell.evaluations) + "," + (cell.fitted ? cell.converged ? "yes" : "no" : "") + "," +
-              quoted(cell.failure) + "," + quoted(note) + "\n";
+              number(cell.error) + "," + number(cell.zero) + "," + number(cell.ratio(cell.metric)) + "," +
+              number(cell.seconds) + "," + number(cell.evaluations) + "," +
+              (cell.fitted ? cell.converged ? "yes" : "no" : "") + "," + quoted(cell.failure) + "," + quoted(note) +
+              "\n";
     }
   return text;
 }
@@ -179,7 +201,7 @@ class Illustrator {
   std::string draw(const Part& part, std::size_t number) const {
     const std::string suffix = "-" + std::to_string(number);
     std::string text = drawErrors(part, "errors" + suffix + ".png");
-    if (part.ways.size() > kMostOverlaid) return text;
+    if (!part.comparesLobes || part.ways.size() > kMostOverlaid) return text;
     for (std::size_t target = 0; target < part.targets.size() && !interrupted(); ++target) {
       const std::string own = suffix + "-" + std::to_string(target + 1) + ".png";
       text += drawLobes(part, target, "lobes" + own);
@@ -193,22 +215,21 @@ class Illustrator {
     return "![" + what + "](" + name + ")\n\n";
   }
   std::string fitSpec(const Cell& cell) const { return container_ + "#" + std::to_string(cell.entry); }
-  std::string fullTitle(const Part& part, const std::string& more) const {
-    return part.title + (more.empty() ? "" : ": " + more);
-  }
 
   std::string drawErrors(const Part& part, const std::string& name) const {
     DotPlotPicture picture;
     picture.title = part.title;
     picture.note = job_.note;
-    picture.panels = {{"error / error of the zero model", {}}, {"seconds", {}}};
+    for (const std::string& judge : part.judges) picture.panels.push_back({errorName(part, judge), {}});
+    picture.panels.push_back({"seconds", {}});
     for (std::size_t target = 0; target < part.targets.size(); ++target)
       for (std::size_t way = 0; way < part.ways.size(); ++way) {
         const Cell& cell = part.cells[target][way];
         picture.groups.push_back(part.targets[target]);
         picture.series.push_back(part.ways[way]);
-        picture.panels[0].second.push_back(cell.ratio());
-        picture.panels[1].second.push_back(cell.seconds);
+        for (std::size_t k = 0; k < part.judges.size(); ++k)
+          picture.panels[k].second.push_back(cell.ratio(part.judges[k]));
+        picture.panels.back().second.push_back(cell.seconds);
       }
     const std::size_t rows = picture.groups.size() + 2 * part.targets.size();
     picture.size = {1100, std::min<std::size_t>(150 + 21 * rows, 6000)};
@@ -227,7 +248,7 @@ class Illustrator {
         picture.materials.push_back(fitSpec(cell));
         picture.names.push_back(part.ways[way]);
       }
-    picture.title = fullTitle(part, part.targets[target] + ", lobes at 45 degrees, cube root");
+    picture.title = part.targets[target] + ": lobes at 45 degrees, cube root";
     picture.transform = "cuberoot";
     picture.size = {900, 700};
     picture.out = {(folder_ / name).string()};
@@ -253,7 +274,7 @@ class Illustrator {
   std::string drawSpheres(const Part& part, const std::string& name) const {
     constexpr std::size_t side = 220;
     MontagePicture montage;
-    montage.title = fullTitle(part, "spheres under a lamp");
+    montage.title = part.title + ": spheres under a lamp";
     montage.note = job_.note;
     montage.columns = part.ways.size() + 1;
     for (std::size_t target = 0; target < part.targets.size(); ++target)
@@ -304,14 +325,18 @@ std::string writeBatchReport(const BatchJob& job, const BatchRecords& records, c
   if (!job.note.empty()) text += "**" + job.note + "**\n\n";
   text += std::to_string(counts.fits) + " fits: " + std::to_string(counts.fitted) + " done, " +
           std::to_string(counts.failed) + " failed, " + std::to_string(counts.open()) +
-          " open. Errors are in each fit's own metric, divided by the error of answering 0 everywhere; the smallest of "
-          "each column is bold. Times are wall-clock seconds of the fit alone.\n\n";
+          " open. Errors are in the metric that was minimised, divided by the error of answering 0 everywhere; where "
+          "a part has several metrics, every fit is judged by each. The smallest of each column is bold. Times are "
+          "wall-clock seconds of the fit alone.\n\n";
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const Part& part = parts[k];
     const std::string table = "table-" + std::to_string(k + 1) + ".csv";
-    text += "## " + part.title + "\n\nError / error of the zero model ([" + table + "](" + table + ")):\n\n" +
-            markdownTable(part, [](const Cell& cell) { return cell.ratio(); }) + "\nSeconds:\n\n" +
-            markdownTable(part, [](const Cell& cell) { return cell.seconds; }) + "\n" + failures(part);
+    text += "## " + part.title + "\n\nNumbers: [" + table + "](" + table + ").\n\n";
+    for (const std::string& judge : part.judges) {
+      text += (part.judges.size() == 1 ? std::string("Error / error of the zero model") : errorName(part, judge)) +
+              ":\n\n" + markdownTable(part, [&judge](const Cell& cell) { return cell.ratio(judge); }) + "\n";
+    }
+    text += "Seconds:\n\n" + markdownTable(part, [](const Cell& cell) { return cell.seconds; }) + "\n" + failures(part);
     writeFile(folder / table, csvTable(part, job.note));
     if (!reason.empty() || counts.fitted == 0 || interrupted()) continue;
     try {

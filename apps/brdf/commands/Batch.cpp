@@ -20,6 +20,7 @@
 #include <chrono>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -94,7 +95,7 @@ class Batch {
             if (!terminal) output_.line(position() + " " + last_ + " (" + job_.tasks[task]->key + ")");
           },
           [&] {
-            if (terminal) progress.update(done_, job_.tasks.size(), last_);
+            if (terminal) progress.update(done_, different_, last_);
           });
     }
     finish();
@@ -110,7 +111,7 @@ class Batch {
   std::string titleOf(std::size_t task) const {
     return job_.tasks[task]->title(job_.targets[job_.tasks[task]->target].name);
   }
-  std::string position() const { return "[" + std::to_string(done_) + "/" + std::to_string(job_.tasks.size()) + "]"; }
+  std::string position() const { return "[" + std::to_string(done_) + "/" + std::to_string(different_) + "]"; }
 
   void prepare(std::string& message) {
     const std::string text = readFile(values_.job, 64 << 20);
@@ -118,12 +119,16 @@ class Batch {
     message = jobMessage(text, job_);
     if (!values_.plan) takeFolder();
     const BatchRecords records(folder_);
+    std::set<std::string> keys, openKeys;
     for (std::size_t task = 0; task < job_.tasks.size(); ++task) {
-      const auto state = records.state(job_.tasks[task]->key);
+      const std::string& key = job_.tasks[task]->key;
+      const auto state = records.state(key);
+      keys.insert(key);
       if (state == BatchRecords::State::Open || (values_.retry && state == BatchRecords::State::Failed))
-        open_.push_back(task);
+        if (openKeys.insert(key).second) open_.push_back(task);
     }
-    done_ = job_.tasks.size() - open_.size();
+    different_ = keys.size();
+    done_ = different_ - open_.size();
     output_.line(job_.title + ": " + summary(countBatch(job_, records)) + "; results in " + folder_.string());
     if (records.damagedLines() > 0)
       output_.line(
@@ -168,7 +173,8 @@ class Batch {
   BatchJob job_;
   std::optional<FileLock> lock_;
   std::vector<std::size_t> open_;
-  std::size_t done_ = 0;
+  std::size_t different_ = 0;  ///< fits, of which several rows of the job may be one
+  std::size_t done_ = 0;       ///< of those
   std::string last_;
 };
 
