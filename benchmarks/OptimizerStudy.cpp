@@ -82,9 +82,9 @@ struct Count {
     if (errorFound) ++errors;
     if (errorFound && parametersFound(one, outcome.parameters)) ++parameters;
     if (!errorFound)
-      failures.push_back(one.name + " (" + formatNumber(outcome.error / one.wantedError, 2) + ")");
+      failures.push_back(one.label + " (" + formatNumber(outcome.error / one.wantedError, 2) + ")");
     else if (!parametersFound(one, outcome.parameters))
-      failures.push_back(one.name + " (other parameters)");
+      failures.push_back(one.label + " (other parameters)");
   }
 };
 
@@ -153,11 +153,11 @@ void countByStart(const std::vector<Case>& cases, bool known) {
 }
 
 void listCases(const std::vector<Case>& cases) {
-  std::printf("| case | determined |\n|---|---|\n");
+  std::printf("| case | truth | determined |\n|---|---|---|\n");
   for (const Case& one : cases) {
     std::vector<std::string> names;
     for (const auto& [name, value] : one.truth) names.push_back(name);
-    std::printf("| %s | %s |\n", one.name.c_str(), joined(names).c_str());
+    std::printf("| %s | %s | %s |\n", one.label.c_str(), one.name.c_str(), joined(names).c_str());
   }
 }
 

@@ -61,6 +61,7 @@ Case recoveryCase(const ModelPointer& model, int place) {
   }
   const std::string lobe = model->name() + (values.empty() ? "" : "(" + values + ")");
   one.name = lobe;
+  one.label = model->name() + " " + std::to_string(place);
   one.metric = "rms";
   const bool alone = model->name() == "Lambertian";
   const std::string expression = alone ? "0.3*" + lobe : "0.3*Lambertian + 0.7*" + lobe;
@@ -95,7 +96,7 @@ std::vector<Case> referenceCases(const std::filesystem::path& shared) {
       for (const auto& [lobe, found] : lobes.items()) {
         if (lobe == "zero_model") continue;
         Case one;
-        one.name = material + " " + metric + " " + lobe;
+        one.name = one.label = material + " " + metric + " " + lobe;
         one.metric = metric;
         one.target = target;
         one.lobes = {{findModel("Lambertian"), {}, {}, {}}, {findModel(lobe), {}, {}, {}}};

@@ -11,7 +11,8 @@ namespace brdf::study {
 
 /// One thing to fit, with what counts as success. The lists are fixed before anything is run on them.
 struct Case {
-  std::string name;  ///< for tables
+  std::string name;   ///< with the true parameters, for the list
+  std::string label;  ///< short, for lists of failures
   std::string metric;
   BrdfPointer target;
   std::vector<LobeRequest> lobes;  ///< with the starting values
@@ -27,10 +28,10 @@ struct Case {
 std::vector<Case> referenceCases(const std::filesystem::path& shared);
 
 /// Every model beside a Lambertian, 0.3 Lambertian + 0.7 model, at two places of its soft range, on 2000 noise-free
-/// scattered samples (200 of EPD, 40 of HeTorrance: they are slow) (tests/fit/SyntheticTarget.h); of models with a roughness along y the
-/// second is anisotropic. Place k of parameter j is 0.15 + 0.7 frac(0.5 + k a_j) of the soft range, a_j the R_d
-/// sequence's, rounded to three digits. The start is at 0.95 of every soft range whose truth lies in its lower half,
-/// else at 0.05. Success: an rms error of at most a ten thousandth of the zero model's.
+/// scattered samples (200 of EPD, 40 of HeTorrance: they are slow) (tests/fit/SyntheticTarget.h); of models with a
+/// roughness along y the second is anisotropic. Place k of parameter j is 0.15 + 0.7 frac(0.5 + k a_j) of the soft
+/// range, a_j the R_d sequence's, rounded to three digits. The start is at 0.95 of every soft range whose truth lies in
+/// its lower half, else at 0.05. Success: an rms error of at most a ten thousandth of the zero model's.
 std::vector<Case> recoveryCases();
 
 /// Whether the parameters that are determined came back: every |found - truth| within the tolerance.

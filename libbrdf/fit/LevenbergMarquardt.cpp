@@ -218,7 +218,7 @@ OptimizerResult levenbergMarquardt(CostFunction& cost, std::vector<double> start
       return finish(true, "the last step changed the squared error by less than " + formatNumber(options.tolerance, 2) +
                               " of it");
     // Residuals carry the rounding of the values they are differences of.
-    const double rounding = 16 * std::numeric_limits<double>::epsilon() * std::sqrt(before * cost.scale());
+    const double rounding = std::numeric_limits<double>::epsilon() * std::sqrt(before * cost.scale());
     if (!accepted && predicted <= std::max(rounding, 1e-6 * options.tolerance * before))
       return finish(true, "no step lowers the error beyond rounding");
     if (!(largestStep > 1e-30)) return finish(false, "no step lowers the error although the gradient is not zero");
