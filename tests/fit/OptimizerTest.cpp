@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <functional>
 #include <future>
 #include <limits>
@@ -214,6 +216,18 @@ TEST(Optimizers, EveryOneTakesEveryMetricAndBothStrategies) {
         EXPECT_LT(report.error, 1e-3 * report.zeroModel.at(report.metric))
             << optimizer.name << " " << metric->name() << " " << report.strategy << ": " << report.termination;
       }
+}
+
+TEST(Optimizers, ThePageOfOptimizersNamesEveryOneAndItsCounts) {
+  std::ifstream file(std::filesystem::path(BRDF_SOURCE_DIR) / "docs/fitting-optimizers.md");
+  const std::string page(std::istreambuf_iterator<char>(file), {});
+  for (const Optimizer& optimizer : allOptimizers()) {
+    const std::string name(optimizer.name), row = "\n| " + name + " | ";
+    EXPECT_NE(page.find("\n| `" + name + "` | "), page.npos) << name;
+    const std::size_t reference = page.find(row);
+    ASSERT_NE(reference, page.npos) << name << " has no counts: run optimizer_study";
+    EXPECT_NE(page.find(row, reference + 1), page.npos) << name << " has counts on one list only";
+  }
 }
 
 TEST(Optimizers, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
