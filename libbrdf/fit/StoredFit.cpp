@@ -114,6 +114,9 @@ FitReport loadFit(const Container& container, std::size_t index) {
   const auto count = [&](const char* name) { return static_cast<std::size_t>(group.integer(name)); };
   FitReport report;
   report.material = std::dynamic_pointer_cast<const LobeSum>(container.load(index));
+  if (!report.material)
+    throw Error(Error::Kind::Format, {"a fit of something that is no sum of lobes", entry.where(),
+                                      container.entries()[index].kind, "analytic"});
   report.metric = group.text("Metric");
   report.optimizer = group.text("Optimizer");
   report.strategy = group.text("Strategy");

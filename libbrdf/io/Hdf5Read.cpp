@@ -68,6 +68,13 @@ void checkFilters(hid_t properties, const std::string& where) {
   }
 }
 
+std::uint64_t fileSize(hid_t object, const std::string& where) {
+  const Handle file = own(H5Iget_file_id(object), H5Fclose, where, "file damaged");
+  hsize_t size = 0;
+  check(H5Fget_filesize(*file, &size), where, "file damaged");
+  return size;
+}
+
 /// A dataset opened for reading whose claimed size has been checked against what is stored.
 struct OpenArray {
   Handle dataset, type;
@@ -114,7 +121,7 @@ OpenArray openArray(hid_t group, const std::string& name, const std::string& whe
     }
   }
   const std::uint64_t stored = H5Dget_storage_size(*open.dataset);
-  if (stored < bytes / kLargestCompression)
+  if (stored < bytes / kLargestCompression || stored > fileSize(group, where))
     fail(where, "array claims more than the file holds",
          std::to_string(bytes) + " bytes claimed, " + std::to_string(stored) + " stored");
   return open;

@@ -152,12 +152,8 @@ BrdfPointer restoreGrid(const h5::Group& group, const std::string& description) 
     broken(cells, "cells and axes disagree", std::to_string(cells.dimensions("valid")[0]) + " slices",
            data.layout.text());
   stored::restoreValues(cells, data.channels.count(), shape, data.values, data.states);
-  if (group.integer("StandardErrors") != 0) {
-    for (std::size_t c = 0; c < data.channels.count(); ++c) cells.dimensions(stored::errorName(c));  // throws: missing
-    data.standardError.resize(data.values.size());
-    for (std::size_t c = 0; c < data.channels.count(); ++c)
-      cells.readArray(stored::errorName(c), data.standardError.data() + c * data.states.size(), shape);
-  }
+  if (group.integer("StandardErrors") != 0)
+    data.standardError = stored::restoreChannelArrays(cells, stored::errorName, data.channels.count(), shape);
   return std::make_shared<const GridBrdf>(std::move(data), description,
                                           restoreChoice<GridBrdf::Lookup>(group, "Lookup", kLookups));
 }

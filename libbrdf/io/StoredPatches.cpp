@@ -31,25 +31,6 @@ PatchBasis restoreBasis(const h5::Group& group) {
   return {group.text("Name"), std::move(rings)};  // throws where they are no good
 }
 
-void checkShape(const h5::Group& group, const std::string& name, const Sizes& expected) {
-  if (group.dimensions(name) != expected)
-    broken(group, name + " is of the wrong shape", std::to_string(group.dimensions(name)[0]) + " slices",
-           std::to_string(expected[0]));
-}
-
-/// The channels' arrays of that shape, one after another.
-std::vector<double> restoreArrays(const h5::Group& group, std::size_t channels, const Sizes& shape) {
-  std::uint64_t count = 1;
-  for (const std::uint64_t size : shape) count *= size;
-  if (channels > kMaximumValues / std::max<std::uint64_t>(count, 1))
-    broken(group, "too many values", std::to_string(channels) + " channels of " + std::to_string(count),
-           "at most " + std::to_string(kMaximumValues));
-  for (std::size_t c = 0; c < channels; ++c) checkShape(group, valueName(c), shape);
-  std::vector<double> values(channels * count);
-  for (std::size_t c = 0; c < channels; ++c) group.readArray(valueName(c), values.data() + c * count, shape);
-  return values;
-}
-
 void listNodes(const TensorTree& tree, TensorTree::Node node, std::vector<std::uint8_t>& branches,
                std::vector<std::size_t>& cells) {
   branches.push_back(tree.isCell(node) ? 0 : 1);
@@ -110,7 +91,8 @@ void storePatches(const h5::Group& group, const PatchBrdf& patches) {
 BrdfPointer restorePatches(const h5::Group& group, const std::string& description) {
   PatchData data{
       restoreBasis(group.group("Incident")), restoreBasis(group.group("Outgoing")), stored::restoreChannels(group), {}};
-  data.values = restoreArrays(group, data.channels.count(), {data.outgoing.count(), data.incident.count()});
+  data.values = stored::restoreChannelArrays(group, valueName, data.channels.count(),
+                                             {data.outgoing.count(), data.incident.count()});
   return std::make_shared<const PatchBrdf>(std::move(data), description);
 }
 
@@ -140,7 +122,7 @@ BrdfPointer restoreTree(const h5::Group& group, const std::string& description) 
            "a list, at most " + std::to_string(kMaximumValues));
   std::vector<std::uint8_t> branches(nodes[0]);
   group.readArray("branches", branches.data(), nodes);
-  const std::vector<double> values = restoreArrays(group, channels.count(), cells);
+  const std::vector<double> values = stored::restoreChannelArrays(group, valueName, channels.count(), cells);
   TensorTree tree(static_cast<int>(rank), channels.count());
   TreeBuilder(group, branches, values, cells[0], tree).run();
   return std::make_shared<const TreeBrdf>(std::move(tree), channels, description);

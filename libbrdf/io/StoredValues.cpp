@@ -14,6 +14,12 @@ std::uint64_t product(const Sizes& shape) {
   return std::accumulate(shape.begin(), shape.end(), std::uint64_t{1}, std::multiplies<>());
 }
 
+std::string text(const Sizes& shape) {
+  std::string result;
+  for (const std::uint64_t size : shape) result += (result.empty() ? "" : " x ") + std::to_string(size);
+  return result;
+}
+
 }  // namespace
 
 std::string valueName(std::size_t channel) { return "value_" + std::to_string(channel); }
@@ -45,17 +51,24 @@ void storeValues(const h5::Group& group, const double* values, const std::uint8_
   group.writeArray("valid", valid, shape);
 }
 
-void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& shape, std::vector<double>& values,
-                   std::vector<std::uint8_t>& valid) {
+std::vector<double> restoreChannelArrays(const h5::Group& group, std::string (*name)(std::size_t), std::size_t channels,
+                                         const Sizes& shape) {
   const std::uint64_t count = product(shape);
   if (channels > kMaximumValues / std::max<std::uint64_t>(count, 1))
     broken(group, "too many values", std::to_string(channels) + " channels of " + std::to_string(count),
            "at most " + std::to_string(kMaximumValues));
-  if (!group.hasObject(valueName(channels - 1)))
-    broken(group, "values of some channels are missing", {}, std::to_string(channels) + " channels");
-  values.resize(channels * count);
-  for (std::size_t c = 0; c < channels; ++c) group.readArray(valueName(c), values.data() + c * count, shape);
-  valid.resize(count);
+  for (std::size_t c = 0; c < channels; ++c)
+    if (const Sizes found = group.dimensions(name(c)); found != shape)
+      broken(group, name(c) + " is of the wrong shape", text(found), text(shape));
+  std::vector<double> values(channels * count);
+  for (std::size_t c = 0; c < channels; ++c) group.readArray(name(c), values.data() + c * count, shape);
+  return values;
+}
+
+void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& shape, std::vector<double>& values,
+                   std::vector<std::uint8_t>& valid) {
+  values = restoreChannelArrays(group, valueName, channels, shape);
+  valid.resize(product(shape));
   group.readArray("valid", valid.data(), shape);
 }
 

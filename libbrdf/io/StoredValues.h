@@ -37,6 +37,10 @@ Channels restoreChannels(const h5::Group& group);
 /// Planar values a channel an array, and the flags "valid".
 void storeValues(const h5::Group& group, const double* values, const std::uint8_t* valid, std::size_t channels,
                  const Sizes& shape);
+/// One array a channel, called `name`(channel) and of that shape, as planar values. The sizes of all are checked before
+/// memory is taken.
+std::vector<double> restoreChannelArrays(const h5::Group& group, std::string (*name)(std::size_t), std::size_t channels,
+                                         const Sizes& shape);
 void restoreValues(const h5::Group& group, std::size_t channels, const Sizes& shape, std::vector<double>& values,
                    std::vector<std::uint8_t>& valid);
 

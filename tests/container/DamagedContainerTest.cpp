@@ -1,4 +1,5 @@
 #include <brdf/base/File.h>
+#include <brdf/fit/StoredFit.h>
 #include <brdf/io/Container.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
@@ -118,6 +119,45 @@ TEST(DamagedContainer, AnArrayThatClaimsMoreThanTheFileHoldsTakesNoMemory) {
         << error;
     EXPECT_NE(error.find("/BRDFLab/0/wi"), std::string::npos) << error;
   }
+}
+
+TEST(DamagedContainer, AnArrayThatRunsBeyondTheEndOfTheFileTakesNoMemory) {
+  // HDF5's first format has no checksums, and HDF5 believes an array's stored size until it reads it.
+  const fs::path path = freshFolder("beyond") / "a.vtkhdf";
+  const std::string intact = containerBytes(20);
+  brdf::writeFile(path, intact);
+  const fs::path old = path.parent_path() / "old.vtkhdf";
+  const hid_t from = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  const hid_t file = H5Fcreate(old.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  H5Ocopy(from, "BRDFLab", file, "BRDFLab", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(from);
+  constexpr hsize_t count = 40'000'000;  // 960 MB of directions
+  const hid_t entry = H5Gopen2(file, "/BRDFLab/0", H5P_DEFAULT);
+  replaceArray(entry, "wi", H5T_IEEE_F64LE, {count, 3}, [](hid_t properties) {
+    H5Pset_alloc_time(properties, H5D_ALLOC_TIME_EARLY);
+    H5Pset_fill_time(properties, H5D_FILL_TIME_NEVER);
+  });
+  const hid_t array = H5Dopen2(entry, "wi", H5P_DEFAULT);
+  const haddr_t start = H5Dget_offset(array);
+  H5Dclose(array);
+  H5Gclose(entry);
+  H5Fclose(file);
+  ASSERT_GT(start, 2048u);
+  std::string cut = brdf::readFileHead(old, static_cast<std::size_t>(start));
+  for (int i = 0; i < 8; ++i) cut[40 + i] = static_cast<char>(start >> (8 * i));  // end of file in the superblock
+  brdf::writeFile(old, cut);
+  const std::string error = errorOf([&] { Container(old).load(0); });
+  EXPECT_NE(error.find("array claims more than the file holds"), std::string::npos) << error;
+}
+
+TEST(DamagedContainer, MissingChannelsAndFitsOfNothingAreErrors) {
+  const fs::path missing = tampered("channels", [](hid_t entry) { H5Ldelete(entry, "value_2", H5P_DEFAULT); });
+  EXPECT_NE(errorOf([&] { Container(missing).load(0); }).find("value_2"), std::string::npos);
+  const fs::path path = freshFolder("fitofnothing") / "a.vtkhdf";
+  brdf::ContainerWriter writer(path);
+  brdf::storeFit(writer.add("a", *samples::scattered(), {}), {});
+  writer.commit();
+  EXPECT_NE(errorOf([&] { brdf::loadFit(Container(path), 0); }).find("no sum of lobes"), std::string::npos);
 }
 
 TEST(DamagedContainer, ArraysOutsideTheFileAreRefused) {

@@ -1,10 +1,13 @@
 // The corpus of the fuzzers and the hand-written files, given to every reader: each answers or refuses, none crashes.
 #include <brdf/base/File.h>
+#include <brdf/io/Container.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <set>
 
+#include "ContainerEdits.h"
 #include "Targets.h"
 
 namespace fs = std::filesystem;
@@ -30,6 +33,21 @@ TEST(Replay, EveryTargetStandsItsCorpusAndEveryHandWrittenFile) {
     files.insert(files.end(), seeds.begin(), seeds.end());
     for (const fs::path& file : files)
       EXPECT_NO_THROW(target.run(brdf::readFile(file))) << target.name << " on " << file;
+  }
+}
+
+TEST(Replay, ContainersWithoutChecksumsAreReadAndStandDamage) {
+  const auto targets = fuzzTargets();
+  const auto target = std::find_if(targets.begin(), targets.end(), [](const auto& t) { return t.name == "container"; });
+  ASSERT_NE(target, targets.end());
+  for (std::size_t i = 0; i < containerCount(); ++i) {
+    const std::string bytes = withoutChecksums(containerBytes(i));
+    EXPECT_NO_THROW(brdf::Container::fromBytes(bytes, "old").load(0)) << i;
+    for (std::size_t at = 0; at < bytes.size(); at += 61) {
+      std::string damaged = bytes;
+      damaged[at] = static_cast<char>(damaged[at] ^ (1 << (at % 8)));
+      EXPECT_NO_THROW(target->run(damaged)) << i << ", byte " << at;
+    }
   }
 }
 

@@ -1,9 +1,13 @@
 #include "Targets.h"
 
+#include "ContainerEdits.h"
+
 #include <brdf/base/Error.h>
+#include <brdf/fit/StoredFit.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/BrdfLabXml.h>
 #include <brdf/io/MaterialXml.h>
+#include <brdf/io/StoredGrid.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/measured/Format.h>
@@ -32,6 +36,28 @@ void swallowErrors(const std::function<void()>& action) {
   }
 }
 
+/// Reads all of a container; an entry that is no good leaves the others to be read.
+void readContainer(std::string_view bytes) {
+  swallowErrors([&] {
+    const brdf::Container container = brdf::Container::fromBytes(bytes, "fuzz");
+    for (std::size_t i = 0; i < std::min<std::size_t>(container.entries().size(), 4); ++i) {
+      swallowErrors([&] { use(*container.load(i)); });
+      swallowErrors([&] { container.provenance(i); });
+      swallowErrors([&] {
+        for (const brdf::ScatterComponent& part : container.components(i).scatter) use(*part.brdf);
+      });
+      swallowErrors([&] {
+        if (container.entries()[i].isFit) use(*brdf::loadFit(container, i).material);
+      });
+      swallowErrors([&] {
+        const brdf::StoredTable table(container, i);
+        table.values(0, table.slices() - 1, 1);
+        table.states(0, table.slices());
+      });
+    }
+  });
+}
+
 }  // namespace
 
 std::vector<FuzzTarget> fuzzTargets() {
@@ -56,6 +82,8 @@ std::vector<FuzzTarget> fuzzTargets() {
                          for (const auto& fitting : file.fittings) use(*fitting.material);
                        });
                      }});
+  targets.push_back({"container", readContainer});
+  targets.push_back({"container-edits", [](std::string_view bytes) { readContainer(editedContainer(bytes)); }});
   targets.push_back({"expression", [](std::string_view bytes) {
                        swallowErrors([&] { use(*brdf::parseMaterialExpression(bytes)); });
                      }});

@@ -23,8 +23,10 @@ ninja -C build/fuzz brdf_fuzz >build/fuzz.log 2>&1 || { tail -n 40 build/fuzz.lo
 [[ -n $build_only ]] && exit 0
 
 fuzzer=$PWD/build/fuzz/bin/brdf_fuzz
+export LSAN_OPTIONS=suppressions=$PWD/tests/fuzz/leaks.txt:print_suppressions=0
 ((${#targets[@]})) || mapfile -t targets < <("$fuzzer" --list)
-mkdir -p build/fuzz/findings
+mkdir -p build/fuzz/findings build/fuzz/corpus/container
+"$fuzzer" --seeds=build/fuzz/corpus/container
 status=0 total=0
 for target in "${targets[@]}"; do
   mkdir -p "build/fuzz/corpus/$target" "tests/fuzz/corpus/$target"
