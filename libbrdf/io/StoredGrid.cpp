@@ -2,6 +2,7 @@
 #include <brdf/io/Container.h>
 #include <brdf/io/StoredGrid.h>
 #include <brdf/io/StoredValues.h>
+#include <brdf/material/GridImage.h>
 
 #include <array>
 #include <cmath>
@@ -33,48 +34,22 @@ std::string_view nameOf(const std::array<std::string_view, n>& names, Enum value
   return names[static_cast<std::size_t>(value)];
 }
 
-/// The image's size along x, y, z.
-std::array<std::size_t, 3> imageSize(const GridLayout& layout) {
-  std::array<std::size_t, 3> size = {1, 1, 1};
-  for (std::size_t a = 0; a < layout.axes.size(); ++a) size[std::min<std::size_t>(a, 2)] *= layout.axes[a].size();
-  return size;
-}
-
 Sizes shapeOf(const GridLayout& layout) {
-  const auto size = imageSize(layout);
+  const auto size = imageOf(layout).size;
   return {size[2], size[1], size[0]};
 }
 
-/// First node and step in degrees; false where the steps differ by more than a millionth.
-bool equalSteps(const GridAxis& axis, double& origin, double& spacing) {
-  const std::size_t last = axis.size() - 1;
-  if (last == 0) return false;
-  origin = degrees(axis.nodes[0]);
-  spacing = degrees(axis.nodes[last] - axis.nodes[0]) / static_cast<double>(last);
-  for (std::size_t i = 0; i <= last; ++i)
-    if (std::abs(degrees(axis.nodes[i]) - origin - spacing * static_cast<double>(i)) > 1e-6 * spacing) return false;
-  return true;
-}
-
 void storeImage(const h5::Group& group, const GridLayout& layout) {
-  const auto size = imageSize(layout);
+  const GridImage image = imageOf(layout);
   std::array<std::int64_t, 6> extent{};
-  std::array<double, 3> origin{}, spacing{};
-  std::array<std::string, 3> units;
-  for (std::size_t a = 0; a < 3; ++a) {
-    extent[2 * a + 1] = static_cast<std::int64_t>(size[a]) - 1;
-    const bool single = a < layout.axes.size() && (a < 2 || layout.axes.size() == 3);
-    const bool equal = single && equalSteps(layout.axes[a], origin[a], spacing[a]);
-    if (!equal) origin[a] = 0, spacing[a] = 1;
-    units[a] = equal ? "deg" : "index";
-  }
+  for (std::size_t a = 0; a < 3; ++a) extent[2 * a + 1] = static_cast<std::int64_t>(image.size[a]) - 1;
   group.setIntegers("Version", std::array<std::int64_t, 2>{1, 0});
   group.setText("Type", "ImageData");
   group.setIntegers("WholeExtent", extent);
-  group.setNumbers("Origin", origin);
-  group.setNumbers("Spacing", spacing);
+  group.setNumbers("Origin", image.origin);
+  group.setNumbers("Spacing", image.spacing);
   group.setNumbers("Direction", std::array<double, 9>{1, 0, 0, 0, 1, 0, 0, 0, 1});
-  group.setTexts("AxisUnits", units);
+  group.setTexts("AxisUnits", image.unit);
 }
 
 }  // namespace

@@ -9,15 +9,11 @@
 
 namespace brdf {
 
-/// Writes a grid into an empty group, losslessly, as a VTKHDF ImageData whose points are the cells, in their order: x
-/// runs along the first axis, y along the second, z along all others (of a 4-D grid, put the incident directions there:
-/// an image is then one incident direction a slice). Point arrays: value_c (1/sr) and, where known, error_c for each
-/// channel; valid, a CellState each. What an image cannot say stands beside: attributes Parametrisation, Quantity,
-/// OriginalQuantity, Mirror, Reciprocal, Lookup, Channels; groups Axes/0, 1, ... with Quantity, Scale, Period,
-/// Outside, and the arrays nodes (radians) and edges; SpecularOffsets.
-///
-/// An image has equal steps: where the nodes have them (in degrees), Origin and Spacing say so; else that direction
-/// counts indices (AxisUnits "index"), and only the arrays in Axes tell the angles.
+/// Writes a grid into an empty group, losslessly, as a VTKHDF ImageData (material/GridImage.h says what its Origin,
+/// Spacing and AxisUnits mean). Point arrays: value_c (1/sr) and, where known, error_c for each channel; valid, a
+/// CellState each. What an image cannot say stands beside: attributes Parametrisation, Quantity, OriginalQuantity,
+/// Mirror, Reciprocal, Lookup, Channels; groups Axes/0, 1, ... with Quantity, Scale, Period, Outside, and the arrays
+/// nodes (radians) and edges; SpecularOffsets.
 void storeGrid(const h5::Group& group, const GridBrdf& grid);
 BrdfPointer restoreGrid(const h5::Group& group, const std::string& description);
 

@@ -5,6 +5,7 @@
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
+#include <brdf/material/ValueOrigins.h>
 
 #include <algorithm>
 #include <array>
@@ -128,21 +129,30 @@ void GridBrdf::evaluate(const DirectionPairs<float>& pairs, float* values, std::
 std::shared_ptr<const GridBrdf> GridBrdf::tabulate(const Brdf& brdf, const GridLayout& layout) {
   layout.check("BRDF grid");
   GridData data{layout, brdf.channels(), {}, {}};
+  const ValueOrigins origins(brdf);
   const std::size_t cells = layout.cells(), channelCount = data.channels.count();
   data.values.resize(cells * channelCount);
   data.states.resize(cells);
+  if (origins.hasStandardErrors()) data.standardError.resize(cells * channelCount);
   parallelFor(cells, 4096, [&](std::size_t first, std::size_t last) {
     const std::size_t length = last - first;
     DirectionPairBuffer<double> pairs;
     layout.directions(first, length, pairs);
     std::vector<double> values(channelCount * length);
     std::vector<std::uint8_t> above(length);
-    brdf.evaluate(pairs.view(), values.data(), data.states.data() + first);
+    const auto keep = [&](std::vector<double>& planes) {
+      for (std::size_t channel = 0; channel < channelCount; ++channel)
+        std::copy_n(values.data() + channel * length, length, planes.data() + channel * cells + first);
+    };
+    std::uint8_t* states = data.states.data() + first;
+    brdf.evaluate(pairs.view(), values.data(), states);
     layout.aboveHorizon(first, length, above.data());
-    for (std::size_t i = 0; i < length; ++i)
-      data.states[first + i] = stateByte(data.states[first + i] && above[i] ? CellState::Measured : CellState::Invalid);
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
-      std::copy_n(values.data() + channel * length, length, data.values.data() + channel * cells + first);
+    for (std::size_t i = 0; i < length; ++i) states[i] = states[i] && above[i];
+    origins.classify(pairs.view(), states);
+    keep(data.values);
+    if (!origins.hasStandardErrors()) return;
+    origins.standardErrors(pairs.view(), values.data());
+    keep(data.standardError);
   });
   return std::make_shared<const GridBrdf>(std::move(data), "grid of (" + brdf.description() + ")");
 }

@@ -45,8 +45,9 @@ class BRDF_EXPORT GridBrdf : public Brdf {
   std::shared_ptr<const GridBrdf> with(Lookup lookup) const;
 
   /// Any BRDF at the nodes of `layout`, on all threads. Cells below the horizon, and where `brdf` is invalid or not
-  /// finite, are Invalid. Symmetry that the layout assumes and `brdf` lacks is imposed: the nodes' own directions
-  /// count.
+  /// finite, are Invalid; the others are what the values of `brdf` rest on, and get its standard errors where it has
+  /// them (material/ValueOrigins.h). Symmetry that the layout assumes and `brdf` lacks is imposed: the nodes' own
+  /// directions count.
   static std::shared_ptr<const GridBrdf> tabulate(const Brdf& brdf, const GridLayout& layout);
 
   const GridData& data() const { return *data_; }

@@ -83,10 +83,9 @@ Resampled resample(const Brdf& brdf, const GridLayout& layout) {
     result.losses.push_back("values of mirrored pairs: the grid takes them for the same");
   if (!brdf.reciprocal() && grid.reciprocal())
     result.losses.push_back("values of exchanged pairs: the grid takes them for the same");
-  const auto before = countCells(brdf);
-  if (before && before->extrapolated > 0)
-    result.losses.push_back("which values were extrapolated: " + std::to_string(before->extrapolated) +
-                            " cells of the source");
+  if (const auto cells = countCells(grid); cells->extrapolated > 0)
+    result.losses.push_back(std::to_string(cells->extrapolated) +
+                            " cells rest on less than measured ones and are marked extrapolated");
   return result;
 }
 

@@ -1,4 +1,5 @@
 #include <brdf/base/Error.h>
+#include <brdf/material/CellState.h>
 #include <brdf/material/ScatteredBrdf.h>
 
 #include <Eigen/Dense>
@@ -76,6 +77,8 @@ class ScatteredBrdf::Interpolator {
   virtual ~Interpolator() = default;
   /// The value at pair i of a batch, which is above the horizon, into values[c * pairs.count + i].
   virtual void interpolate(const DirectionPairs<double>& pairs, std::size_t i, double* values) const = 0;
+  /// Whether pair i lies among the samples that its value is made from.
+  virtual bool isWithin(const DirectionPairs<double>& pairs, std::size_t i) const = 0;
 };
 
 template <int Dimensions>
@@ -118,6 +121,31 @@ class ScatteredBrdf::TreeInterpolator : public ScatteredBrdf::Interpolator {
       const double lowest = low >= 0 ? std::max(low - margin, 0.0) : low - margin;  // no negative value of its own
       values[channel * pairs.count + i] = unit_ * std::sinh(std::clamp(sum, lowest, high + margin));
     }
+  }
+
+  /// Gilbert's iteration towards the point of the convex hull nearest to the query (E. G. Gilbert 1966, SIAM J. Control
+  /// 4, 61-80, doi:10.1137/0304007): outside once all neighbours lie beyond a plane.
+  bool isWithin(const DirectionPairs<double>& pairs, std::size_t i) const override {
+    constexpr int mostSteps = 64;
+    constexpr double slack = 1e-3;  // of the neighbours' distance
+    const Point query = coordinates<Dimensions>(pairs, i);
+    std::array<std::uint32_t, kNeighbours> index;
+    std::array<double, kNeighbours> squared;
+    const std::size_t found = tree_->knnSearch(query.data(), kNeighbours, index.data(), squared.data());
+    if (found == 0) return false;
+    Point nearest = points_.points[index[0]] - query;
+    const double close = slack * slack * squared[found - 1];
+    for (int step = 0; step < mostSteps && nearest.squaredNorm() > close; ++step) {
+      Point support = nearest;
+      for (std::size_t k = 0; k < found; ++k) {
+        const Point offset = points_.points[index[k]] - query;
+        if (offset.dot(nearest) < support.dot(nearest)) support = offset;
+      }
+      if (support.dot(nearest) > slack * nearest.squaredNorm()) return false;
+      const Point along = support - nearest;
+      nearest += std::clamp(-nearest.dot(along) / along.squaredNorm(), 0.0, 1.0) * along;
+    }
+    return true;
   }
 
  private:
@@ -218,6 +246,13 @@ void ScatteredBrdf::evaluate(const DirectionPairs<double>& pairs, double* values
       for (std::size_t channel = 0; channel < channelCount; ++channel) values[channel * pairs.count + i] = 0;
     }
   }
+}
+
+void ScatteredBrdf::classify(const DirectionPairs<double>& pairs, std::uint8_t* states) const {
+  for (std::size_t i = 0; i < pairs.count; ++i)
+    if (states[i] != 0)
+      states[i] =
+          stateByte(interpolator_ && interpolator_->isWithin(pairs, i) ? CellState::Measured : CellState::Extrapolated);
 }
 
 }  // namespace brdf

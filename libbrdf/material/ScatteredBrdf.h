@@ -54,6 +54,10 @@ class BRDF_EXPORT ScatteredBrdf : public Brdf {
 
   const ScatteredSamples& data() const { return data_; }
 
+  /// For ValueOrigins: makes the flags of evaluate() CellStates. Measured within the convex hull of the nearest samples
+  /// that interpolation uses, Extrapolated outside.
+  void classify(const DirectionPairs<double>& pairs, std::uint8_t* states) const;
+
  private:
   class Samples;
   class Interpolator;

@@ -4,6 +4,7 @@
 #include <brdf/material/GridCells.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/material/TableBrdf.h>
+#include <brdf/material/ValueOrigins.h>
 
 #include <algorithm>
 #include <array>
@@ -146,6 +147,7 @@ std::shared_ptr<const TableBrdf> TableBrdf::tabulate(const Brdf& brdf, const Tab
   data.values.resize(cells * channelCount);
   data.valid.resize(cells);
   const TableDirections directions(layout);
+  const ValueOrigins origins(brdf);
   parallelFor(cells, 4096, [&](std::size_t first, std::size_t last) {
     const std::size_t length = last - first;
     DirectionPairBuffer<double> pairs;
@@ -154,7 +156,8 @@ std::shared_ptr<const TableBrdf> TableBrdf::tabulate(const Brdf& brdf, const Tab
     std::vector<std::uint8_t> above(length);
     brdf.evaluate(pairs.view(), values.data(), data.valid.data() + first);
     directions.aboveHorizon(first, length, above.data());
-    for (std::size_t i = 0; i < length; ++i) data.valid[first + i] &= above[i];
+    for (std::size_t i = 0; i < length; ++i) data.valid[first + i] = data.valid[first + i] && above[i];
+    origins.classify(pairs.view(), data.valid.data() + first);
     for (std::size_t channel = 0; channel < channelCount; ++channel)
       std::copy_n(values.data() + channel * length, length, data.values.data() + channel * cells + first);
   });

@@ -50,8 +50,8 @@ class BRDF_EXPORT TableBrdf : public Brdf {
   std::shared_ptr<const TableBrdf> with(Lookup lookup, Position position = Position::Centre) const;
 
   /// Any BRDF at the cell centres, on all threads. Cells below the horizon, and where `brdf` is invalid or not finite,
-  /// are invalid. An anisotropic BRDF is cut at phi_h = 0; a non-reciprocal one in a reciprocal layout keeps phi_d in
-  /// [0, pi).
+  /// are invalid; the others are what its values rest on (material/ValueOrigins.h). An anisotropic BRDF is cut at phi_h
+  /// = 0; a non-reciprocal one in a reciprocal layout keeps phi_d in [0, pi).
   static std::shared_ptr<const TableBrdf> tabulate(const Brdf& brdf, const TableLayout& layout = {});
 
   const TableData& data() const { return *data_; }
