@@ -116,6 +116,32 @@ class Pipeline(unittest.TestCase):
         self.assertFalse(value[valid == 0].any())
         self.assertTrue(0 < valid.mean() < 1)
 
+    def test_holes_are_told_apart_and_filled(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "holes.binary")
+            cells = np.full((3, 90, 90, 180), 0.25 / math.pi) * 1500 / np.array([1, 1.15, 1.66])[:, None, None, None]
+            cells[:, 10:14, 20:30, 40:60] = -1
+            with open(file, "wb") as out:
+                out.write(np.array([90, 90, 180], "<i4").tobytes() + cells.astype("<f8").tobytes())
+            reader = brdflab.vtkBRDFReader()
+            reader.SetFileName(file)
+            fill = brdflab.vtkBRDFFillHoles()
+            fill.SetInputConnection(reader.GetOutputPort())
+            shown = brdflab.vtkBRDFCells()
+            states = {}
+            for method in ("none", "nearest"):
+                fill.SetMethod(method)
+                shown.SetInputConnection(fill.GetOutputPort())
+                shown.Update()
+                self.assertEqual(shown.GetErrorText(), "")
+                points = shown.GetOutput().GetPointData()
+                states[method] = vtk_to_numpy(points.GetArray("state")).reshape(90, 90, 180)
+            self.assertEqual((states["none"][10:14, 20:30, 40:60] == 0).mean(), 1)
+            self.assertEqual((states["nearest"][10:14, 20:30, 40:60] == 2).mean(), 1)
+            self.assertEqual(fill.GetNumberOfFilledCells(), 4 * 10 * 20)
+            value = vtk_to_numpy(points.GetArray("value"))[:, 1].reshape(90, 90, 180)
+            self.assertAlmostEqual(value[12, 25, 50], 0.25 / math.pi, places=12)
+
     def test_fit_of_measured_data(self):
         path = os.path.join(os.environ.get("BRDF_SHARED_DIR", ""), "data/measured/garnet_red.brdf")
         if not os.path.exists(path):

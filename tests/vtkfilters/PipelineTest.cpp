@@ -3,12 +3,15 @@
 #include <brdf/base/File.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/ChannelView.h>
+#include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
 #include <brdf/material/TableBrdf.h>
 
 #include <gtest/gtest.h>
 
+#include <vtkBRDFCells.h>
 #include <vtkBRDFErrorMap.h>
+#include <vtkBRDFFillHoles.h>
 #include <vtkBRDFFit.h>
 #include <vtkBRDFLobe.h>
 #include <vtkBRDFReader.h>
@@ -20,6 +23,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -207,6 +211,101 @@ TEST(Pipeline, TableHoldsTheValuesAtItsCellCentres) {
       ASSERT_NEAR(image->GetPointData()->GetArray("value")->GetComponent(i, c), expected, 1e-9 * (1 + expected));
     }
   }
+}
+
+/// A diffuse table with a hole of four cells: phi_d 3 and 4, theta_d 2, theta_h 1 and 2.
+vtkNew<vtkBRDF> tableWithAHole(TableBrdf::Position position = TableBrdf::Position::Centre) {
+  const TableLayout layout{.phiD = 12, .thetaD = 6, .thetaH = 5};
+  TableData data = TableBrdf::tabulate(*parseMaterialExpression("(0.3,0.2,0.1)*Lambertian"), layout)->data();
+  for (const std::size_t h : {1, 2})
+    for (const std::size_t d : {3, 4}) data.valid[d + 12 * (2 + 6 * h)] = stateByte(CellState::Invalid);
+  vtkNew<vtkBRDF> brdf;
+  brdf->SetBrdf(std::make_shared<TableBrdf>(std::move(data), "holes", TableBrdf::Lookup::Interpolated, position));
+  return brdf;
+}
+
+TEST(Pipeline, CellsAreThoseOfTheTableWithTheirStates) {
+  vtkNew<vtkBRDFCells> cells;
+  const auto table = tableWithAHole();
+  cells->SetInputData(table);
+  cells->Update();
+  ASSERT_EQ(cells->GetErrorText(), "");
+  vtkImageData* image = cells->GetOutput();
+  EXPECT_EQ(image->GetNumberOfPoints(), 12 * 6 * 5);
+  EXPECT_EQ(image->GetDimensions()[0], 12);
+  EXPECT_NEAR(image->GetOrigin()[0], 7.5, 1e-9);
+  EXPECT_NEAR(image->GetSpacing()[1], 15, 1e-9);
+  EXPECT_NEAR(image->GetOrigin()[2], 0.1, 1e-9);
+  EXPECT_NEAR(image->GetSpacing()[2], 0.2, 1e-9);
+  EXPECT_EQ(vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray("axes"))->GetValue(2), "theta_h");
+  EXPECT_EQ(image->GetPointData()->GetArray("standardError"), nullptr);
+  vtkDataArray* state = image->GetPointData()->GetArray("state");
+  EXPECT_EQ(state->GetTuple1(3 + 12 * (2 + 6 * 1)), 0);
+  EXPECT_EQ(state->GetTuple1(2 + 12 * (2 + 6 * 1)), 1);
+  vtkDataArray* value = image->GetPointData()->GetScalars();
+  EXPECT_EQ(value->GetComponent(3 + 12 * (2 + 6 * 1), 1), 0);
+  EXPECT_NEAR(value->GetComponent(2 + 12 * (2 + 6 * 1), 1), 0.2 / kPi, 1e-15);
+
+  const auto atNodes = tableWithAHole(TableBrdf::Position::Node);
+  cells->SetInputData(atNodes);
+  cells->Update();
+  EXPECT_EQ(cells->GetOutput()->GetOrigin()[0], 0);
+
+  GridData grid{{Parametrisation::Spherical, {GridAxis::listedDegrees(AxisQuantity::ThetaO, {0, 10, 50})}},
+                Channels::monochrome(),
+                {1, 2, 3},
+                {1, 2, 1},
+                {0.1, 0.2, 0.3}};
+  vtkNew<vtkBRDF> line;
+  line->SetBrdf(std::make_shared<GridBrdf>(grid, "line"));
+  cells->SetInputData(line);
+  cells->Update();
+  EXPECT_EQ(cells->GetOutput()->GetNumberOfPoints(), 3);
+  EXPECT_EQ(cells->GetOutput()->GetPointData()->GetArray("standardError")->GetTuple1(2), 0.3);
+  EXPECT_EQ(vtkStringArray::SafeDownCast(cells->GetOutput()->GetFieldData()->GetAbstractArray("units"))->GetValue(0),
+            "index");
+
+  const ExpectErrors errors;
+  vtkNew<vtkBRDFSource> formula;
+  cells->SetInputConnection(formula->GetOutputPort());
+  cells->Update();
+  EXPECT_NE(errors.text().find("a BRDF without cells"), std::string::npos) << errors.text();
+}
+
+TEST(Pipeline, HolesAreFilledByTheMethodNamedAndMarked) {
+  const auto table = tableWithAHole();
+  vtkNew<vtkBRDFFillHoles> fill;
+  fill->SetInputData(table);
+  vtkNew<vtkBRDFCells> cells;
+  cells->SetInputConnection(fill->GetOutputPort());
+  const auto hole = [&](const char* array, int component) {
+    cells->Update();
+    EXPECT_EQ(fill->GetErrorText(), "");
+    return cells->GetOutput()->GetPointData()->GetArray(array)->GetComponent(3 + 12 * (2 + 6 * 1), component);
+  };
+  EXPECT_EQ(hole("state", 0), 2);
+  EXPECT_NEAR(hole("value", 2), 0.1 / kPi, 1e-15);
+  EXPECT_EQ(fill->GetNumberOfFilledCells(), 4);
+  EXPECT_EQ(fill->GetNumberOfRemainingCells(), 0);
+  EXPECT_EQ(fill->GetOutput()->GetFieldData()->GetArray("filledCells")->GetTuple1(0), 4);
+  fill->SetMethod("none");
+  EXPECT_EQ(hole("state", 0), 0);
+  EXPECT_EQ(fill->GetNumberOfRemainingCells(), 4);
+  vtkNew<vtkBRDFSource> model;
+  model->SetMaterial("(0.6,0.5,0.4)*Lambertian");
+  fill->SetInputConnection(1, model->GetOutputPort());
+  fill->SetMethod("model");
+  EXPECT_NEAR(hole("value", 0), 0.6 / kPi, 1e-15);
+  EXPECT_EQ(fill->GetNumberOfFilledCells(), 4);
+
+  const ExpectErrors errors;
+  fill->SetMethod("guess");
+  fill->Update();
+  EXPECT_NE(fill->GetErrorText().find("reciprocity"), std::string::npos) << fill->GetErrorText();
+  fill->SetMethod("model");
+  fill->SetInputConnection(1, nullptr);
+  fill->Update();
+  EXPECT_NE(fill->GetErrorText().find("input port 1"), std::string::npos) << fill->GetErrorText();
 }
 
 TEST(Pipeline, FitFindsTheParametersThatMadeItsTarget) {
