@@ -4,6 +4,7 @@
 #include <brdf/material/FillHoles.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/TableBrdf.h>
+#include <brdf/material/ValueOrigins.h>
 
 #include <algorithm>
 #include <array>
@@ -22,9 +23,11 @@ struct Cells {
   std::vector<std::uint8_t>& states;
 };
 
-/// Fills from what `source` says of the pairs that `place` makes of the cells' own.
+/// Fills from what `source` says of the pairs that `place` makes of the cells' own, where that rests on measured
+/// cells of `origins` (null: wherever it is valid). A pair that falls on its own hole, as an exchanged one in a
+/// reciprocal table does, would otherwise get what rounding leaves of a neighbour.
 template <class Place>
-void fillFrom(const Cells& cells, const Brdf& source, const Place& place) {
+void fillFrom(const Cells& cells, const Brdf& source, const ValueOrigins* origins, const Place& place) {
   const std::size_t count = cells.states.size();
   parallelFor(count, 8192, [&](std::size_t first, std::size_t last) {
     DirectionPairBuffer<double> own, wanted;
@@ -48,10 +51,11 @@ void fillFrom(const Cells& cells, const Brdf& source, const Place& place) {
     std::vector<double> found(holes.size() * cells.channels);
     std::vector<std::uint8_t> valid(holes.size());
     source.evaluate(wanted.view(), found.data(), valid.data());
+    if (origins) origins->classify(wanted.view(), valid.data());
     for (std::size_t k = 0; k < holes.size(); ++k) {
-      bool finite = valid[k] != 0;
-      for (std::size_t c = 0; c < cells.channels; ++c) finite = finite && std::isfinite(found[c * holes.size() + k]);
-      if (!finite) continue;
+      bool usable = valid[k] == stateByte(CellState::Measured);
+      for (std::size_t c = 0; c < cells.channels; ++c) usable = usable && std::isfinite(found[c * holes.size() + k]);
+      if (!usable) continue;
       cells.states[holes[k]] = stateByte(CellState::Extrapolated);
       for (std::size_t c = 0; c < cells.channels; ++c) cells.values[c * count + holes[k]] = found[c * holes.size() + k];
     }
@@ -99,11 +103,12 @@ void fillNearest(const Cells& cells) {
 
 /// `measured` is the BRDF of the measured cells alone.
 void fill(const Cells& cells, FillMethod method, const Brdf& measured, const Brdf* model) {
+  const ValueOrigins origins(measured);
   switch (method) {
     case FillMethod::Reciprocity:
-      return fillFrom(cells, measured, [](auto& wi, auto& wo) { std::swap(wi, wo); });
+      return fillFrom(cells, measured, &origins, [](auto& wi, auto& wo) { std::swap(wi, wo); });
     case FillMethod::Symmetry:
-      return fillFrom(cells, measured, [](auto& wi, auto& wo) { wi[1] = -wi[1], wo[1] = -wo[1]; });
+      return fillFrom(cells, measured, &origins, [](auto& wi, auto& wo) { wi[1] = -wi[1], wo[1] = -wo[1]; });
     case FillMethod::Nearest:
       return fillNearest(cells);
     case FillMethod::Model:
@@ -111,7 +116,7 @@ void fill(const Cells& cells, FillMethod method, const Brdf& measured, const Brd
         throw Error(Error::Kind::Value, {"no model that fits the data", "fill",
                                          model ? std::to_string(model->channels().count()) + " channels" : "none",
                                          std::to_string(cells.channels) + " channels"});
-      return fillFrom(cells, *model, [](auto&, auto&) {});
+      return fillFrom(cells, *model, nullptr, [](auto&, auto&) {});
     case FillMethod::None:
       return;
   }

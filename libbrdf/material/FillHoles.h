@@ -25,9 +25,11 @@ struct FilledBrdf {
 };
 
 /// A table or grid whose invalid cells above the horizon are filled and marked Extrapolated; measured ones stay as they
-/// are, and cells below the horizon stay invalid. Values are taken from measured cells only where a method interpolates
-/// or steps: nothing is filled from what was filled. `model` is needed for Model, with as many channels as the data.
-/// Throws Error::Kind::Value for a BRDF without cells, and for a model that is missing or does not fit.
+/// are, and cells below the horizon stay invalid. Values are taken from measured cells only
+/// (material/ValueOrigins.h): nothing is filled from what was filled. A table or grid that is
+/// reciprocal by itself has nothing to gain from Reciprocity, nor a mirrored one from Symmetry. `model` is needed for
+/// Model, with as many channels as the data. Throws Error::Kind::Value for a BRDF without cells, and for a model that
+/// is missing or does not fit.
 BRDF_EXPORT FilledBrdf fillHoles(const BrdfPointer& brdf, FillMethod method, const Brdf* model = nullptr);
 
 }  // namespace brdf

@@ -15,13 +15,15 @@ namespace {
 constexpr double kNegligible =
     1e-6;  ///< of the weight: what a node of the grid itself gets from its neighbours by rounding
 
-/// 1 for Measured cells, 0 for others.
-std::vector<double> measuredShare(const std::vector<std::uint8_t>& states) {
-  const auto measured = [](std::uint8_t state) { return state == stateByte(CellState::Measured); };
-  std::vector<double> share(states.size());
-  std::transform(states.begin(), states.end(), share.begin(), measured);
-  return share;
+/// 1 for the cells that belong, 0 for others.
+std::vector<double> indicator(const std::vector<std::uint8_t>& states, bool (*belongs)(std::uint8_t state)) {
+  std::vector<double> values(states.size());
+  std::transform(states.begin(), states.end(), values.begin(), belongs);
+  return values;
 }
+
+bool isMeasured(std::uint8_t state) { return state == stateByte(CellState::Measured); }
+bool isValid(std::uint8_t state) { return state != stateByte(CellState::Invalid); }
 
 }  // namespace
 
@@ -32,14 +34,22 @@ ValueOrigins::ValueOrigins(const Brdf& brdf) {
     samples_ = source;
   } else if (const auto* table = dynamic_cast<const TableBrdf*>(source)) {
     const TableData& data = table->data();
-    TableData share{data.layout, Channels::monochrome(), measuredShare(data.valid),
-                    std::vector<std::uint8_t>(data.valid.size(), 1)};
-    measured_ = std::make_shared<TableBrdf>(std::move(share), "", table->lookup(), table->position());
+    const auto share = [&](bool (*belongs)(std::uint8_t)) {
+      TableData values{data.layout, Channels::monochrome(), indicator(data.valid, belongs),
+                       std::vector<std::uint8_t>(data.valid.size(), 1)};
+      return std::make_shared<TableBrdf>(std::move(values), "", table->lookup(), table->position());
+    };
+    measured_ = share(isMeasured);
+    valid_ = share(isValid);
   } else if (const auto* grid = dynamic_cast<const GridBrdf*>(source)) {
     const GridData& data = grid->data();
-    GridData share{data.layout, Channels::monochrome(), measuredShare(data.states), {}};
-    for (GridAxis& axis : share.layout.axes) axis.outside = Outside::Invalid;
-    measured_ = std::make_shared<GridBrdf>(std::move(share), "", grid->lookup());
+    const auto share = [&](bool (*belongs)(std::uint8_t)) {
+      GridData values{data.layout, Channels::monochrome(), indicator(data.states, belongs), {}};
+      for (GridAxis& axis : values.layout.axes) axis.outside = Outside::Invalid;
+      return std::make_shared<GridBrdf>(std::move(values), "", grid->lookup());
+    };
+    measured_ = share(isMeasured);
+    valid_ = share(isValid);
     if (data.standardError.empty() || source != &brdf) return;
     GridData errors{data.layout, data.channels, data.standardError, data.states}, unknown = errors;
     bool anyUnknown = false;
@@ -57,12 +67,17 @@ void ValueOrigins::classify(const DirectionPairs<double>& pairs, std::uint8_t* s
   if (samples_) {
     static_cast<const ScatteredBrdf*>(samples_)->classify(pairs, states);
   } else if (measured_) {
-    std::vector<double> share(pairs.count);
+    std::vector<double> measured(pairs.count), valid(pairs.count);
     std::vector<std::uint8_t> inside(pairs.count);
-    measured_->evaluate(pairs, share.data(), inside.data());
-    for (std::size_t i = 0; i < pairs.count; ++i)
-      if (states[i] != 0)
-        states[i] = stateByte(inside[i] && share[i] >= 1 - kNegligible ? CellState::Measured : CellState::Extrapolated);
+    measured_->evaluate(pairs, measured.data(), inside.data());
+    valid_->evaluate(pairs, valid.data(), nullptr);
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+      if (states[i] == 0) continue;
+      CellState state = CellState::Extrapolated;
+      if (inside[i] && measured[i] >= 1 - kNegligible) state = CellState::Measured;
+      if (inside[i] && valid[i] <= kNegligible) state = CellState::Invalid;
+      states[i] = stateByte(state);
+    }
   }
 }
 

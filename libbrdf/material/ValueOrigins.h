@@ -11,7 +11,8 @@ namespace brdf {
 /// a cell of the new table deserves what its value was made from (material/CellState.h).
 ///
 /// - Tables and grids: Measured where the cells that the value is interpolated from are Measured, all but a millionth
-///   of their weight; Extrapolated where one of them is Extrapolated or Invalid, and beyond the ends of an axis.
+///   of their weight; Extrapolated where one of them is Extrapolated or Invalid, and beyond the ends of an axis;
+///   Invalid where all but a millionth lies on Invalid ones.
 /// - Scattered samples: Measured within the convex hull of the samples that the value is interpolated from, in the
 ///   coordinates of the interpolation (material/ScatteredBrdf.h), however wide the gaps between them; Extrapolated
 ///   outside.
@@ -35,7 +36,7 @@ class BRDF_EXPORT ValueOrigins {
 
  private:
   const Brdf* samples_ = nullptr;  ///< scattered ones
-  BrdfPointer measured_;           ///< the share of Measured cells in the weight; invalid beyond the ends
+  BrdfPointer measured_, valid_;   ///< the share of such cells in the weight; invalid beyond the ends
   BrdfPointer errors_;
   BrdfPointer unknown_;  ///< the share of cells with an unknown standard error, where there are any
 };

@@ -123,6 +123,20 @@ TEST(FillHoles, TablesAreFilledAboveTheHorizonOnly) {
   EXPECT_EQ(filled.remaining, 0u);
 }
 
+TEST(FillHoles, WhatFallsOnTheHoleItselfFillsNothing) {
+  // Exchanged pairs of a reciprocal table lie in the same cell.
+  const brdf::TableLayout layout{.phiD = 36, .thetaD = 18, .thetaH = 18};
+  const auto whole = brdf::TableBrdf::tabulate(*brdf::parseMaterialExpression("GGX(alpha=0.3)"), layout);
+  brdf::TableData data = whole->data();
+  std::uint64_t holes = 0;
+  for (std::size_t i = 0; i < data.valid.size(); i += 7)
+    if (data.valid[i]) data.valid[i] = 0, ++holes;
+  const auto table = std::make_shared<const brdf::TableBrdf>(std::move(data), "sevenths");
+  const auto exchanged = fillHoles(table, FillMethod::Reciprocity);
+  EXPECT_EQ(exchanged.filled, 0u);
+  EXPECT_EQ(exchanged.remaining, holes);
+}
+
 TEST(FillHoles, WithoutCellsOrAKnownMethodThereIsAnError) {
   EXPECT_THROW(fillHoles(brdf::parseMaterialExpression("Lambertian"), FillMethod::Nearest), brdf::Error);
   EXPECT_EQ(brdf::fillMethod("nearest"), FillMethod::Nearest);

@@ -134,6 +134,14 @@ TEST(ValueOrigins, TablesAndOtherChannelsOfThemKeepTheirStates) {
   EXPECT_EQ(GridBrdf::tabulate(*table, GridLayout::fromTable(layout))->data().states, data.valid);
 }
 
+TEST(ValueOrigins, AHoleIsAHoleAtItsOwnNode) {
+  const brdf::TableLayout layout{.phiD = 12, .thetaD = 9, .thetaH = 9};
+  brdf::TableData data = brdf::TableBrdf::tabulate(*brdf::parseMaterialExpression("0.3*Lambertian"), layout)->data();
+  for (std::size_t i = 0; i < data.valid.size(); i += 5) data.valid[i] = kInvalid;
+  const brdf::TableBrdf table(data, "table");
+  EXPECT_EQ(GridBrdf::tabulate(table, GridLayout::fromTable(layout))->data().states, data.valid);
+}
+
 TEST(ValueOrigins, FormulasHaveValuesOfTheirOwn) {
   const auto material = brdf::parseMaterialExpression("0.5*Lambertian");
   const auto grid = brdf::resample(*material, brdf::parseGridLayout("spherical:10", *material));
