@@ -9,7 +9,6 @@
 #include <brdf/measured/GridFile.h>
 
 #include <bit>
-#include <cmath>
 #include <cstring>
 
 namespace brdf {
@@ -32,40 +31,24 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   data.channels = Channels::rgb();
   data.values.resize(3 * kCells);
   data.valid.assign(kCells, 1);
-  const bool negativeIsInvalid =
-      choose(options, InvalidRule::Negative, "the database's marker is -1", report) != InvalidRule::NotFinite;
-  const bool zeroIsInvalid = options.invalid == InvalidRule::NotPositive;
-  std::vector<std::uint8_t> above(kCells);
-  TableDirections(data.layout).aboveHorizon(0, kCells, above.data());
+  const InvalidRule rule = choose(options, InvalidRule::Negative, "the database's marker is -1", report);
   const char* next = bytes.data() + kHeaderBytes;
   for (std::size_t p = 0; p < kPhiD; ++p)
     for (std::size_t h = 0; h < kThetaH; ++h)
-      for (std::size_t d = 0; d < kThetaD; ++d) {
-        const std::size_t cell = p + kPhiD * (d + kThetaD * h);
-        bool negative = false, zero = false, notFinite = false;
+      for (std::size_t d = 0; d < kThetaD; ++d)
         for (std::size_t channel = 0; channel < 3; ++channel, next += sizeof(float)) {
           float value;
           std::memcpy(&value, next, sizeof value);
-          data.values[channel * kCells + cell] = value;
-          negative |= value < 0;
-          zero |= value == 0;
-          notFinite |= !std::isfinite(value);
+          data.values[channel * kCells + p + kPhiD * (d + kThetaD * h)] = value;
         }
-        const bool missing = notFinite || (negative && negativeIsInvalid) || (zero && zeroIsInvalid);
-        data.valid[cell] = !missing;
-        report.negative += negative;
-        report.notFinite += notFinite;
-        report.belowHorizon += !above[cell];
-        report.invalid += missing || !above[cell];
-      }
-  report.samples = kCells;
+  const TableDirections directions(data.layout);
+  inspectCells(data.values, data.valid, rule, std::bind_front(&TableDirections::aboveHorizon, &directions), report);
   toLinearSrgb(data.values, choose(options, ColourSpace::LinearSrgb, "the database does not define it", report));
   report.assumptions.push_back("phi_d spans half a turn: reciprocity is assumed");
   report.assumptions.push_back("theta_h is spaced as its square root, as BRDFLab 0.8.2 read these files");
   report.warnings.push_back("colours and scale of car paint files are not calibrated");
   report.warnings.push_back("whether theta_h is spaced so is not established: compare the width of the highlight");
-  if (report.notFinite > 0) report.warnings.push_back(std::to_string(report.notFinite) + " cells are not finite");
-  if (report.invalid == kCells) report.warnings.push_back("no cell is valid");
+  warnOfCells(report);
   return {std::make_shared<TableBrdf>(std::move(data), path.filename().string()), std::move(report)};
 }
 

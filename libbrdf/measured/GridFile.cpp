@@ -1,7 +1,11 @@
+#include <brdf/base/Parallel.h>
 #include <brdf/color/Colorimetry.h>
 #include <brdf/measured/GridFile.h>
 
+#include <array>
+#include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace brdf {
 namespace {
@@ -21,31 +25,58 @@ void eachPixel(std::vector<double>& values, const Matrix3& matrix) {
 
 }  // namespace
 
+void inspectCells(const std::vector<double>& values, std::vector<std::uint8_t>& states, InvalidRule rule,
+                  const std::function<void(std::size_t, std::size_t, std::uint8_t*)>& aboveHorizon,
+                  ReadReport& report) {
+  constexpr std::size_t grain = 65536;
+  const std::size_t cells = states.size();
+  if (cells == 0) return;
+  const std::size_t channels = values.size() / cells;
+  std::atomic<std::uint64_t> allNegative = 0, allNotFinite = 0, allBelow = 0, allInvalid = 0;
+  parallelFor(cells, grain, [&](std::size_t first, std::size_t last) {
+    const std::size_t count = last - first;
+    std::vector<std::uint8_t> negative(count, 0), zero(count, 0), notFinite(count, 0), above(count);
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      const double* from = values.data() + channel * cells + first;
+      for (std::size_t i = 0; i < count; ++i) {
+        negative[i] |= from[i] < 0;
+        zero[i] |= from[i] == 0;
+        notFinite[i] |= !(std::abs(from[i]) <= std::numeric_limits<double>::max());
+      }
+    }
+    aboveHorizon(first, count, above.data());
+    const bool negativeToo = rule != InvalidRule::NotFinite, zeroToo = rule == InvalidRule::NotPositive;
+    std::uint64_t negatives = 0, notFinites = 0, below = 0, invalid = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::uint8_t& state = states[first + i];
+      if (notFinite[i] || (negative[i] && negativeToo) || (zero[i] && zeroToo)) state = stateByte(CellState::Invalid);
+      negatives += negative[i];
+      notFinites += notFinite[i];
+      below += !above[i];
+      invalid += !above[i] || state == stateByte(CellState::Invalid);
+    }
+    allNegative += negatives;
+    allNotFinite += notFinites;
+    allBelow += below;
+    allInvalid += invalid;
+  });
+  report.samples += cells;
+  report.negative += allNegative;
+  report.notFinite += allNotFinite;
+  report.belowHorizon += allBelow;
+  report.invalid += allInvalid;
+}
+
+void warnOfCells(ReadReport& report) {
+  if (report.notFinite > 0) report.warnings.push_back(std::to_string(report.notFinite) + " cells are not finite");
+  if (report.invalid == report.samples) report.warnings.push_back("no cell is valid");
+}
+
 ReadResult finishGrid(GridData data, const std::filesystem::path& path, ReadReport report, Quantity quantity,
                       InvalidRule rule) {
-  const std::size_t cells = data.layout.cells(), channels = data.channels.count();
-  report.samples = cells;
-  data.states.resize(cells, stateByte(CellState::Measured));
-  std::vector<std::uint8_t> above(cells);
-  data.layout.aboveHorizon(0, cells, above.data());
-  for (std::size_t i = 0; i < cells; ++i) {
-    bool negative = false, zero = false, notFinite = false;
-    for (std::size_t channel = 0; channel < channels; ++channel) {
-      const double value = data.values[channel * cells + i];
-      negative |= value < 0;
-      zero |= value == 0;
-      notFinite |= !std::isfinite(value);
-    }
-    const bool missing =
-        notFinite || (negative && rule != InvalidRule::NotFinite) || (zero && rule == InvalidRule::NotPositive);
-    if (missing) data.states[i] = stateByte(CellState::Invalid);
-    report.negative += negative;
-    report.notFinite += notFinite;
-    report.belowHorizon += !above[i];
-    report.invalid += !above[i] || data.states[i] == stateByte(CellState::Invalid);
-  }
-  if (report.notFinite > 0) report.warnings.push_back(std::to_string(report.notFinite) + " cells are not finite");
-  if (report.invalid == cells) report.warnings.push_back("no cell is valid");
+  data.states.resize(data.layout.cells(), stateByte(CellState::Measured));
+  inspectCells(data.values, data.states, rule, std::bind_front(&GridLayout::aboveHorizon, &data.layout), report);
+  warnOfCells(report);
   convertQuantity(data, quantity);
   report.metadata["grid"] = data.layout.text();
   return {std::make_shared<GridBrdf>(std::move(data), path.filename().string()), std::move(report)};

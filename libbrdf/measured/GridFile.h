@@ -2,8 +2,8 @@
 #include <brdf/material/GridBrdf.h>
 #include <brdf/measured/Format.h>
 
-#include <array>
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +11,16 @@ namespace brdf {
 
 // What the formats of gridded samples share.
 
-/// Makes the BRDF of a grid just read. Cells that `rule` or a value that is not finite calls invalid become Invalid;
-/// they, negative values and cells below the horizon are counted. Values are still what the file has; `quantity` says
-/// what that is.
+/// Makes the cells Invalid that `rule` or a value that is not finite calls so, and counts cells, negative, not finite,
+/// below the horizon and invalid in `report`. Values are planar, with one state a cell; `aboveHorizon(first, count,
+/// flags)` is GridLayout's or TableDirections'.
+void inspectCells(const std::vector<double>& values, std::vector<std::uint8_t>& states, InvalidRule rule,
+                  const std::function<void(std::size_t, std::size_t, std::uint8_t*)>& aboveHorizon, ReadReport& report);
+/// Warns of cells that are not finite, and where no cell is valid.
+void warnOfCells(ReadReport& report);
+
+/// Makes the BRDF of a grid just read: inspects its cells, warns, and converts its values, which are still what the
+/// file has, from `quantity`.
 ReadResult finishGrid(GridData data, const std::filesystem::path& path, ReadReport report, Quantity quantity,
                       InvalidRule rule);
 

@@ -85,8 +85,24 @@ void mirrorAzimuth(GridData& data, AxisQuantity quantity) {
 }
 
 const std::vector<std::string>& gridOptions() {
-  static const std::vector<std::string> keys{"quantity", "colour", "invalid", "sides"};
+  static const std::vector<std::string> keys{"quantity", "symmetry", "colour", "invalid", "sides"};
   return keys;
+}
+
+bool chooseMirror(const ReadOptions& options, bool stated, bool turns, const std::filesystem::path& path,
+                  ReadReport& report) {
+  if (!options.symmetry) return stated;
+  const Symmetry byFormat = turns ? Symmetry::Anisotropic : stated ? Symmetry::Isotropic : Symmetry::Bilateral;
+  const Symmetry symmetry = choose(options, byFormat, "the file's azimuths and symmetry", report);
+  if (symmetry != byFormat && !(byFormat == Symmetry::Bilateral && symmetry == Symmetry::Isotropic))
+    throw Error(Error::Kind::Value, {"the file contradicts the symmetry given", path.string() + ", option symmetry",
+                                     turns    ? "several azimuths of the light"
+                                     : stated ? "one azimuth, mirrored"
+                                              : "one azimuth of the light",
+                                     turns    ? "anisotropic"
+                                     : stated ? "isotropic"
+                                              : "bilateral, isotropic"});
+  return stated || symmetry == Symmetry::Isotropic;
 }
 
 GridConventions chooseConventions(const ReadOptions& options, Quantity quantity, std::string_view quantityEvidence,
@@ -118,37 +134,33 @@ std::shared_ptr<const GridBrdf> finishPart(GridData data, const GridConventions&
       report.assumptions.push_back(sentence);
   }
   const std::size_t cells = data.layout.cells(), channelCount = data.channels.count();
+  const auto invalidCells = [&] {
+    return static_cast<std::uint64_t>(
+        std::count(data.states.begin(), data.states.end(), stateByte(CellState::Invalid)));
+  };
   data.states.assign(cells, stateByte(CellState::Measured));
+  std::vector<std::uint8_t> above(cells);
   DirectionPairBuffer<double> pairs;
   constexpr std::size_t block = 65536;
   for (std::size_t first = 0; first < cells; first += block) {
     const std::size_t length = std::min(block, cells - first);
     data.layout.directions(first, length, pairs);
     for (std::size_t k = 0; k < length; ++k) {
-      const std::size_t i = first + k;
-      bool finite = true, negative = false, zero = false, filler = true;
-      for (std::size_t c = 0; c < channelCount; ++c) {
-        const double value = data.values[c * cells + i];
-        finite = finite && std::isfinite(value);
-        negative = negative || value < 0;
-        zero = zero || value == 0;
-        filler = filler && value == 0;
-      }
+      bool filler = true;
+      for (std::size_t c = 0; c < channelCount; ++c) filler = filler && data.values[c * cells + first + k] == 0;
       const double lowest = std::min(pairs.wi[2][k], pairs.wo[2][k]);
-      const bool below = lowest < -kHorizon || (lowest < kHorizon && filler);
-      const bool missing = (negative && conventions.invalid != InvalidRule::NotFinite) ||
-                           (zero && conventions.invalid == InvalidRule::NotPositive);
-      report.notFinite += !finite;
-      report.negative += negative;
-      report.belowHorizon += below;
-      if (!finite || below || missing) data.states[i] = stateByte(CellState::Invalid);
+      above[first + k] = !(lowest < -kHorizon || (lowest < kHorizon && filler));
+      if (!above[first + k]) data.states[first + k] = stateByte(CellState::Invalid);
     }
   }
-  report.samples += cells;
+  inspectCells(
+      data.values, data.states, conventions.invalid,
+      [&](std::size_t first, std::size_t count, std::uint8_t* flags) { std::copy_n(&above[first], count, flags); },
+      report);
+  const std::uint64_t before = invalidCells();
   if (data.channels.kind == Channels::Kind::Rgb) toLinearSrgb(data.values, conventions.colour);
   convertQuantity(data, conventions.quantity);
-  report.invalid +=
-      static_cast<std::uint64_t>(std::count(data.states.begin(), data.states.end(), stateByte(CellState::Invalid)));
+  report.invalid += invalidCells() - before;
   return std::make_shared<GridBrdf>(std::move(data), path.filename().string());
 }
 

@@ -26,6 +26,12 @@ bool fullTurn(const std::vector<double>& degrees);
 /// grids that turn with the light (phi_i) and yet are mirrored in the plane of incidence.
 void mirrorAzimuth(GridData& data, AxisQuantity quantity);
 
+/// Whether the values are mirrored in the plane of incidence, `turns` being whether the light has several azimuths: as
+/// the file states, or because the user says isotropic of a file with one azimuth of the light. Any other symmetry than
+/// the file's is a contradiction: Error::Kind::Value, naming `path`.
+bool chooseMirror(const ReadOptions& options, bool stated, bool turns, const std::filesystem::path& path,
+                  ReadReport& report);
+
 /// What the values of a file mean.
 struct GridConventions {
   Quantity quantity = Quantity::Brdf;
@@ -33,7 +39,7 @@ struct GridConventions {
   Sides sides = Sides::AsStated;
   ColourSpace colour = ColourSpace::LinearSrgb;
 };
-/// The keys of the options that chooseConventions() honours.
+/// The keys of the options that chooseConventions() and chooseMirror() honour.
 const std::vector<std::string>& gridOptions();
 /// Takes the options or else what the format says; all go to the report. `colour` is empty for a file without colours,
 /// which an option about them contradicts: Error::Kind::Value.

@@ -10,14 +10,12 @@
 #include <brdf/measured/BuiltInFormats.h>
 #include <brdf/measured/GridFile.h>
 #include <brdf/measured/GridReading.h>
-#include <brdf/measured/GridWriting.h>
-#include <brdf/measured/ScatteredText.h>
+#include <brdf/measured/IntegraWriter.h>
 #include <brdf/measured/TokenReader.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <set>
 
 namespace brdf {
 namespace {
@@ -36,11 +34,6 @@ bool startsChannel(std::string_view word) {
   for (const char* name : {"wl", "bw", "red", "gre", "green", "blu", "blue"})
     if (sameWord(word, name)) return true;
   return false;
-}
-
-bool namedTransmission(const std::filesystem::path& path) {
-  const std::string extension = path.extension().string();
-  return sameWord(extension, ".ddt") || sameWord(extension, ".sdt");
 }
 
 /// sigmaT: one polar angle for each sigma, with or without their number before them.
@@ -62,11 +55,6 @@ std::vector<double> readOffsets(TokenReader& tokens, const std::vector<double>& 
 
 Header readHeader(TokenReader& tokens, ReadReport& report) {
   Header header;
-  const auto list = [&](const std::string& key, std::vector<double>& into, double low, double high) {
-    if (!into.empty()) tokens.fail("a key stands twice", key, "once");
-    const std::size_t count = tokens.count("number of " + key);
-    into = tokens.ascending(count, key, low, high);
-  };
   while (tokens.more() && !startsChannel(tokens.peek())) {
     const std::string key(tokens.next("a key"));
     if (sameWord(key, "Source")) {
@@ -87,15 +75,15 @@ Header readHeader(TokenReader& tokens, ReadReport& report) {
         tokens.accept("Absolute");
       header.unitSaid = true;
     } else if (sameWord(key, "psi")) {
-      list("psi", header.psi, -360, 360);
+      tokens.list(header.psi, "psi", -360, 360);
     } else if (sameWord(key, "sigma")) {
-      list("sigma", header.sigma, 0, 90);
+      tokens.list(header.sigma, "sigma", 0, 90);
     } else if (sameWord(key, "sigmaT")) {
       header.offsets = readOffsets(tokens, header.sigma);
     } else if (sameWord(key, "phi")) {
-      list("phi", header.phi, -360, 360);
+      tokens.list(header.phi, "phi", -360, 360);
     } else if (sameWord(key, "theta")) {
-      list("theta", header.theta, 0, 180);
+      tokens.list(header.theta, "theta", 0, 180);
     } else if (report.warnings.size() < 20) {
       report.warnings.push_back("\"" + key.substr(0, 40) + "\" is ignored: its meaning is not known");
     }
@@ -185,7 +173,7 @@ void scaleToReflectance(GridData& data, const Header& header, const std::vector<
 }
 
 ComponentKind kindOf(const std::filesystem::path& path, ReadReport& report) {
-  const bool transmitted = namedTransmission(path);
+  const bool transmitted = integraNamesTransmission(path);
   report.assumptions.push_back(std::string("component: ") + (transmitted ? "front transmission" : "front reflection") +
                                " (the file's name; nothing in the content tells)");
   return transmitted ? ComponentKind::FrontTransmission : ComponentKind::FrontReflection;
@@ -195,9 +183,9 @@ ReadResult readSpecular(TokenReader& tokens, const Header& header, const std::fi
                         const ReadOptions& options, ReadReport report) {
   const auto colour = header.colour == "rgb" ? std::optional(ColourSpace::LinearSrgb) : std::nullopt;
   const ComponentKind kind = kindOf(path, report);
-  if (options.quantity || options.invalid)
+  if (options.quantity || options.invalid || options.symmetry)
     throw Error(Error::Kind::Value, {"the file holds specular fractions only", path.string(),
-                                     options.quantity ? "option quantity" : "option invalid", "colour, sides"});
+                                     "option " + options.keys().front(), "colour, sides"});
   Planes planes = readPlanes(tokens, header, header.sigma.size(), header.sigma.size());
   SpecularComponent specular{kind, planes.channels, {}, std::move(planes.values)};
   for (const double angle : header.sigma) specular.thetaI.push_back(radians(angle));
@@ -223,14 +211,15 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   if (header.phi.empty() || header.theta.empty())
     tokens.fail("a key is missing before the values", {}, header.phi.empty() ? "phi" : "theta");
   if (header.symmetry == Header::Unsaid) tokens.fail("a key is missing before the values", {}, "TypeSym");
-  const bool turns = header.psi.size() > 1, plane = header.symmetry == Header::Plane;
+  const bool turns = header.psi.size() > 1;
+  const bool plane = chooseMirror(options, header.symmetry == Header::Plane, turns, path, report);
   if (header.symmetry == Header::Axi && turns)
     tokens.fail("AxiSymmetrical with several psi", std::to_string(header.psi.size()), "1");
   if (header.symmetry == Header::Dir && header.phi.size() > 1 && !fullTurn(header.phi))
     tokens.fail("DirSymmetrical: how it completes the azimuths phi is not established",
                 formatNumber(header.phi.front()) + " to " + formatNumber(header.phi.back()), "phi all around");
   if (plane && !(header.phi.front() >= 0 && header.phi.back() <= 180))
-    tokens.fail("PlaneSymmetrical with phi on both sides",
+    tokens.fail("mirrored in the plane of incidence, with phi on both sides",
                 formatNumber(header.phi.front()) + " to " + formatNumber(header.phi.back()), "0 to 180");
   const std::size_t incidences = boundedProduct({header.sigma.size(), std::max<std::size_t>(1, header.psi.size())});
   const std::size_t cells = tokens.room({header.theta.size(), header.phi.size(), incidences}, "the values");
@@ -271,122 +260,14 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   return assemble({{kind, brdf}}, {}, conventions.sides, std::move(report));
 }
 
-// ----- writing -------------------------------------------------------------------------------------------------------
-
-bool fitting(const GridLayout& layout) {
-  return layout.parametrisation == Parametrisation::Specular &&
-         hasOnly(layout, {Q::ThetaI, Q::PhiI, Q::SpecularTheta, Q::SpecularPhi});
-}
-
-std::string colourModel(const Channels& channels) {
-  switch (channels.kind) {
-    case Channels::Kind::Rgb:
-      return "RGB";
-    case Channels::Kind::Spectral:
-      return "spectral " + std::to_string(channels.count());
-    default:
-      return "BW";
-  }
-}
-
-std::string channelName(const Channels& channels, std::size_t channel) {
-  constexpr std::array<const char*, 3> names{"red", "gre", "blu"};
-  if (channels.kind == Channels::Kind::Rgb) return names[channel];
-  if (channels.kind == Channels::Kind::Monochrome) return "bw";
-  return "wl " + formatNumber(channels.wavelengths[channel]);
-}
-
-WriteReport writeScatter(const Brdf* front, const Components& components, const std::filesystem::path& path) {
-  WriteReport report;
-  const ComponentKind kind =
-      namedTransmission(path) ? ComponentKind::FrontTransmission : ComponentKind::FrontReflection;
-  const BrdfPointer transmitted = components.find(ComponentKind::FrontTransmission);
-  const Brdf* brdf = kind == ComponentKind::FrontReflection ? front : transmitted.get();
-  if (!brdf)
-    throw Error(Error::Kind::Value, {"the material has no such part", path.extension().string(),
-                                     std::string(componentName(kind)), ".ddr reflection, .ddt transmission"});
-  if (kind == ComponentKind::FrontTransmission && front)
-    report.losses.push_back("front reflection: a .ddt file has no place for it");
-  reportUnkept(components, {kind}, false, false, "integra", report);
-
-  const auto grid = gridFor(*brdf, fitting, specularFallback(*brdf, true), report);
-  const GridLayout& layout = grid->layout();
-  const FileAxis psi(layout, Q::PhiI), sigma(layout, Q::ThetaI), phi(layout, Q::SpecularPhi),
-      theta(layout, Q::SpecularTheta);
-  const bool turns = psi.stride != 0;
-  std::string text = "; " + brdf->description() + "\nSource Generated\nTypeSym ";
-  text += layout.symmetry.mirror ? "PlaneSymmetrical" : turns ? "ASymmetrical 4D" : "ASymmetrical";
-  text += "\nTypeColorModel " + colourModel(grid->channels()) + "\nTypeData Luminance Absolute\n";
-  const auto list = [&](const char* key, const FileAxis& axis) {
-    text += key + (" " + std::to_string(axis.size())) + "\n " + axis.text() + "\n";
-  };
-  if (turns) list("psi", psi);
-  list("sigma", sigma);
-  if (!layout.specularOffsets.empty()) {
-    text += "sigmaT\n";
-    for (std::size_t i = 0; i < sigma.size(); ++i)
-      text += " " + degreesText(sigma.nodes[i] + layout.specularOffsets[i]);
-    text += "\n";
-  }
-  list("phi", phi);
-  list("theta", theta);
-  const std::size_t cells = layout.cells();
-  for (std::size_t c = 0; c < grid->channels().count(); ++c) {
-    text += channelName(grid->channels(), c) + "\n kbdf\n";
-    for (std::size_t i = 0; i < psi.size() * sigma.size(); ++i) text += " 1";
-    text += "\n def\n";
-    for (std::size_t p = 0; p < psi.size(); ++p)
-      for (std::size_t s = 0; s < sigma.size(); ++s)
-        for (std::size_t a = 0; a < phi.size(); ++a) {
-          for (std::size_t t = 0; t < theta.size(); ++t)
-            text += " " + formatNumber(kPi * grid->data().values[c * cells + p * psi.stride + s * sigma.stride +
-                                                                 a * phi.stride + t * theta.stride]);
-          text += "\n";
-        }
-    text += " enddef\n";
-  }
-  writeBytes(path, text);
-  return report;
-}
-
-WriteReport writeSpecular(const Brdf* front, const Components& components, const std::filesystem::path& path) {
-  WriteReport report;
-  const ComponentKind kind =
-      namedTransmission(path) ? ComponentKind::FrontTransmission : ComponentKind::FrontReflection;
-  const SpecularComponent* specular = nullptr;
-  for (const SpecularComponent& part : components.specular)
-    if (part.kind == kind)
-      specular = &part;
-    else
-      report.losses.push_back("specular " + std::string(componentName(part.kind)) + ": a file holds one component");
-  if (!specular)
-    throw Error(Error::Kind::Value,
-                {"the material has no such part", path.extension().string(),
-                 "specular " + std::string(componentName(kind)), ".sdr reflection, .sdt transmission"});
-  if (front) report.losses.push_back("front reflection: the format holds specular fractions only");
-  reportUnkept(components, {}, true, false, "integra-specular", report);
-  const std::size_t count = specular->thetaI.size();
-  std::string text =
-      "Source Generated\nTypeColorModel " + colourModel(specular->channels) + "\nsigma " + std::to_string(count) + "\n";
-  for (const double angle : specular->thetaI) text += " " + degreesText(angle);
-  text += "\n";
-  for (std::size_t c = 0; c < specular->channels.count(); ++c) {
-    text += channelName(specular->channels, c) + "\n def\n";
-    for (std::size_t i = 0; i < count; ++i) text += " " + formatNumber(specular->values[c * count + i]);
-    text += "\n enddef\n";
-  }
-  writeBytes(path, text);
-  return report;
-}
-
 }  // namespace
 
 Format integraFormat() {
   Format format{
       "integra",    "Integra scattering text (.ddr, .ddt; reads .sdr, .sdt)", ".ddr", recognise, read, nullptr,
       gridOptions()};
-  format.write = [](const Brdf& brdf, const auto& path) { return writeScatter(&brdf, {}, path); };
-  format.writeMaterial = writeScatter;
+  format.write = [](const Brdf& brdf, const auto& path) { return writeIntegra(&brdf, {}, path); };
+  format.writeMaterial = writeIntegra;
   return format;
 }
 
@@ -398,8 +279,8 @@ Format integraSpecularFormat() {
                 read,
                 nullptr,
                 gridOptions()};
-  format.write = [](const Brdf& brdf, const auto& path) { return writeSpecular(&brdf, {}, path); };
-  format.writeMaterial = writeSpecular;
+  format.write = [](const Brdf& brdf, const auto& path) { return writeIntegraSpecular(&brdf, {}, path); };
+  format.writeMaterial = writeIntegraSpecular;
   return format;
 }
 

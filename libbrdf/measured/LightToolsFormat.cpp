@@ -43,11 +43,6 @@ struct File {
 
 void readHeader(TokenReader& tokens, File& file) {
   bool symmetry = false, content = false;
-  const auto list = [&](const std::string& key, std::vector<double>& into, double low, double high) {
-    if (!into.empty()) tokens.fail("a key stands twice", key, "once");
-    const std::size_t count = tokens.count("number of " + key);
-    into = tokens.ascending(count, key, low, high);
-  };
   while (!tokens.accept("DataBegin")) {
     const std::string key(tokens.next("DataBegin"));
     if (sameWord(key, "Symmetry")) {
@@ -57,9 +52,9 @@ void readHeader(TokenReader& tokens, File& file) {
       file.xyz = tokens.oneOf("SpectralContent", {"Monochrome", "XYZ"}) == 1;
       content = true;
     } else if (sameWord(key, "ScatterAzimuth")) {
-      list("ScatterAzimuth", file.azimuth, -360, 450);
+      tokens.list(file.azimuth, "ScatterAzimuth", -360, 450);
     } else if (sameWord(key, "ScatterRadial")) {
-      list("ScatterRadial", file.radial, 0, 90);
+      tokens.list(file.radial, "ScatterRadial", 0, 90);
     } else {
       tokens.fail("unknown key", "\"" + key.substr(0, 40) + "\"",
                   "Symmetry, SpectralContent, ScatterAzimuth, ScatterRadial, DataBegin");
@@ -164,7 +159,7 @@ std::vector<double> differences(const TokenReader& tokens, const File& file, boo
   std::vector<double> turned;
   for (std::size_t i = result.size(); i-- > 0;) turned.push_back(turn - result[i]);
   if (!(turned.front() >= 0 && turned.back() <= 180))
-    tokens.fail("PlaneSymmetrical, but the azimuths lie on both sides of the plane of incidence",
+    tokens.fail("mirrored in the plane of incidence, but the azimuths lie on both sides of it",
                 formatNumber(file.azimuth.front()) + " to " + formatNumber(file.azimuth.back()),
                 "90 to 270, -90 to 90 or all around");
   return turned;
@@ -197,7 +192,8 @@ int recognise(std::string_view head, std::uint64_t) {
 ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   TokenReader tokens(bytes, path, '#');
   ReadReport report;
-  const File file = readFile(tokens);
+  File file = readFile(tokens);
+  file.plane = chooseMirror(options, file.plane, false, path, report);
   bool mirrored, reversed;
   const std::vector<double> azimuths = differences(tokens, file, mirrored, reversed);
   const GridConventions conventions =

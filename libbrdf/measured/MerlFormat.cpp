@@ -8,6 +8,7 @@
 #include <brdf/material/ChannelView.h>
 #include <brdf/material/TableBrdf.h>
 #include <brdf/measured/BuiltInFormats.h>
+#include <brdf/measured/GridFile.h>
 #include <brdf/measured/ScatteredText.h>
 
 #include <algorithm>
@@ -76,49 +77,18 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   data.values.resize(3 * cells);
   data.valid.assign(cells, 1);
 
-  ReadReport report;
-  report.samples = cells;
-  const bool negativeIsInvalid =
-      choose(options, InvalidRule::Negative, "the database's marker is -1", report) != InvalidRule::NotFinite;
-  const bool zeroIsInvalid = options.invalid == InvalidRule::NotPositive;
-  constexpr std::size_t grain = 65536;
-  struct Counts {
-    std::uint64_t negative = 0, notFinite = 0, belowHorizon = 0, invalid = 0;
-  };
-  std::vector<Counts> counts((cells + grain - 1) / grain);
-  const TableDirections directions(data.layout);
-  parallelFor(cells, grain, [&](std::size_t first, std::size_t last) {
-    const std::size_t length = last - first;
-    std::vector<std::uint8_t> negative(length, 0), zero(length, 0), notFinite(length, 0), above(length);
+  parallelFor(cells, 65536, [&](std::size_t first, std::size_t last) {
     for (std::size_t channel = 0; channel < 3; ++channel) {
       double* values = data.values.data() + channel * cells + first;
-      std::memcpy(values, bytes.data() + kHeaderBytes + 8 * (channel * cells + first), 8 * length);
-      for (std::size_t i = 0; i < length; ++i) {
-        values[i] *= kScale[channel];
-        negative[i] |= values[i] < 0;
-        zero[i] |= values[i] == 0;
-        notFinite[i] |= !(std::abs(values[i]) <= 1.7976931348623157e308);
-      }
-    }
-    directions.aboveHorizon(first, length, above.data());
-    Counts& sum = counts[first / grain];
-    for (std::size_t i = 0; i < length; ++i) {
-      const bool missing = (negative[i] && negativeIsInvalid) || (zero[i] && zeroIsInvalid) || notFinite[i];
-      data.valid[first + i] = !missing;
-      sum.negative += negative[i];
-      sum.notFinite += notFinite[i];
-      sum.belowHorizon += !above[i];
-      sum.invalid += missing || !above[i];
+      std::memcpy(values, bytes.data() + kHeaderBytes + 8 * (channel * cells + first), 8 * (last - first));
+      for (std::size_t i = 0; i < last - first; ++i) values[i] *= kScale[channel];
     }
   });
-  for (const Counts& part : counts) {
-    report.negative += part.negative;
-    report.notFinite += part.notFinite;
-    report.belowHorizon += part.belowHorizon;
-    report.invalid += part.invalid;
-  }
-  if (report.notFinite > 0) report.warnings.push_back(std::to_string(report.notFinite) + " cells are not finite");
-  if (report.invalid == cells) report.warnings.push_back("no cell is valid");
+  ReadReport report;
+  const TableDirections directions(data.layout);
+  inspectCells(data.values, data.valid, choose(options, InvalidRule::Negative, "the database's marker is -1", report),
+               std::bind_front(&TableDirections::aboveHorizon, &directions), report);
+  warnOfCells(report);
   const std::vector<std::string> conventions = {
       "values times 1/1500, 1.15/1500, 1.66/1500 are f_r in 1/sr without the cosine",
       "colours are linear sRGB (the database does not define them)",

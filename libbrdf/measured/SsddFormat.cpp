@@ -302,7 +302,8 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
       report.metadata[key.substr(0, 40)] = trimmed(line.substr(key.size()));
       continue;
     }
-    const Block block = readBlock(lines, value, report);
+    Block block = readBlock(lines, value, report);
+    if (!block.type->specular) block.mirror = chooseMirror(options, block.mirror, block.turns(), path, report);
     if (std::find(seen.begin(), seen.end(), block.type) != seen.end())
       lines.fail("a DATA_TYPE stands twice", block.type->name, "once");
     seen.push_back(block.type);

@@ -86,17 +86,17 @@ std::size_t TokenReader::count(std::string_view what) {
   return static_cast<std::size_t>(value);
 }
 
-std::vector<double> TokenReader::ascending(std::size_t count, std::string_view what, double low, double high) {
-  std::vector<double> values;
-  values.reserve(room({count}, what));
-  while (values.size() < count) {
+void TokenReader::list(std::vector<double>& into, std::string_view what, double low, double high) {
+  if (!into.empty()) fail("a key stands twice", std::string(what), "once");
+  const std::size_t size = count("number of " + std::string(what));
+  into.reserve(room({size}, what));
+  while (into.size() < size) {
     const double value = number(what, low, high);
-    if (!values.empty() && !(value > values.back()))
-      fail("not ascending: " + std::string(what), formatNumber(value) + " after " + formatNumber(values.back()),
+    if (!into.empty() && !(value > into.back()))
+      fail("not ascending: " + std::string(what), formatNumber(value) + " after " + formatNumber(into.back()),
            "ascending numbers");
-    values.push_back(value);
+    into.push_back(value);
   }
-  return values;
 }
 
 std::size_t TokenReader::room(const std::vector<std::size_t>& factors, std::string_view what) const {

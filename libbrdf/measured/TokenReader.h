@@ -29,8 +29,9 @@ class TokenReader {
   double number(std::string_view what, double low, double high);
   /// A number of things that the file lists after it: at least 1, and no more than the rest of the file can hold.
   std::size_t count(std::string_view what);
-  /// `count` finite numbers from low to high, each greater than the one before.
-  std::vector<double> ascending(std::size_t count, std::string_view what, double low, double high);
+  /// A counted list: how many, then as many finite numbers from low to high, each greater than the one before. Fails
+  /// where `into` has numbers already: the key `what` stands twice.
+  void list(std::vector<double>& into, std::string_view what, double low, double high);
   /// Fails unless the rest of the file can hold `factors` multiplied numbers: call before making room for them. Returns
   /// the product.
   std::size_t room(const std::vector<std::size_t>& factors, std::string_view what) const;

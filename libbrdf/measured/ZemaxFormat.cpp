@@ -37,11 +37,6 @@ bool startsChannel(std::string_view word) {
 Header readHeader(TokenReader& tokens, ReadReport& report) {
   Header header;
   bool symmetry = false, content = false, type = false;
-  const auto list = [&](const std::string& key, std::vector<double>& into, double low, double high) {
-    if (!into.empty()) tokens.fail("a key stands twice", key, "once");
-    const std::size_t count = tokens.count("number of " + key);
-    into = tokens.ascending(count, key, low, high);
-  };
   while (tokens.more() && !startsChannel(tokens.peek())) {
     const std::string key(tokens.next("a key"));
     if (sameWord(key, "Source")) {
@@ -58,13 +53,13 @@ Header readHeader(TokenReader& tokens, ReadReport& report) {
       header.transmitted = tokens.oneOf("ScatterType", {"BRDF", "BTDF"}) == 1;
       type = true;
     } else if (sameWord(key, "SampleRotation")) {
-      list("SampleRotation", header.rotation, -360, 360);
+      tokens.list(header.rotation, "SampleRotation", -360, 360);
     } else if (sameWord(key, "AngleOfIncidence")) {
-      list("AngleOfIncidence", header.incidence, 0, 90);
+      tokens.list(header.incidence, "AngleOfIncidence", 0, 90);
     } else if (sameWord(key, "ScatterAzimuth")) {
-      list("ScatterAzimuth", header.azimuth, -360, 360);
+      tokens.list(header.azimuth, "ScatterAzimuth", -360, 360);
     } else if (sameWord(key, "ScatterRadial")) {
-      list("ScatterRadial", header.radial, 0, 180);
+      tokens.list(header.radial, "ScatterRadial", 0, 180);
     } else {
       tokens.fail("unknown key", "\"" + key.substr(0, 40) + "\"",
                   "Source, Symmetry, SpectralContent, ScatterType, SampleRotation, AngleOfIncidence, ScatterAzimuth, "
@@ -82,9 +77,6 @@ Header readHeader(TokenReader& tokens, ReadReport& report) {
   require(!header.azimuth.empty(), "ScatterAzimuth");
   require(!header.radial.empty(), "ScatterRadial");
   if (header.rotation.empty()) header.rotation = {0};
-  if (header.plane && !(header.azimuth.front() >= 0 && header.azimuth.back() <= 180))
-    tokens.fail("PlaneSymmetrical with azimuths on both sides",
-                formatNumber(header.azimuth.front()) + " to " + formatNumber(header.azimuth.back()), "0 to 180");
   return header;
 }
 
@@ -113,11 +105,15 @@ int recognise(std::string_view head, std::uint64_t) {
 ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   TokenReader tokens(bytes, path, '#');
   ReadReport report;
-  const Header header = readHeader(tokens, report);
+  Header header = readHeader(tokens, report);
+  const bool turns = header.rotation.size() > 1;
+  header.plane = chooseMirror(options, header.plane, turns, path, report);
+  if (header.plane && !(header.azimuth.front() >= 0 && header.azimuth.back() <= 180))
+    tokens.fail("mirrored in the plane of incidence, with azimuths on both sides",
+                formatNumber(header.azimuth.front()) + " to " + formatNumber(header.azimuth.back()), "0 to 180");
   std::vector<double> values, tis;
   readValues(tokens, header, values, tis);
 
-  const bool turns = header.rotation.size() > 1;
   if (turns && !header.turns)
     report.warnings.push_back(std::to_string(header.rotation.size()) +
                               " sample rotations, though Symmetry is not ASymmetrical4D");

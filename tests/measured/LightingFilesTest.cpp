@@ -354,3 +354,39 @@ TEST(LightingFiles, DamagedFilesAreReadOrRefusedInOneLine) {
   EXPECT_GT(refused, 500);
   EXPECT_GT(read, 100);
 }
+
+TEST(LightingFiles, TheUserMaySayThatHalfAPlaneIsMirrored) {
+  struct Case {
+    const char *file, *stated, *unstated;
+  };
+  for (const Case& c :
+       {Case{"plane.zemax.bsdf", "PlaneSymmetrical", "ASymmetrical"},
+        Case{"plane.ddr", "PlaneSymmetrical", "ASymmetrical"},
+        Case{"four.ssdd", "REDUCTION_TYPE bilateral_symmetry reciprocity", "REDUCTION_TYPE reciprocity"}}) {
+    std::string stated = brdf::readFile(handWritten(c.file));
+    // Of SSDD's blocks the first: another one goes all around.
+    const std::size_t second = stated.find("DATA_TYPE", stated.find("DATA_TYPE") + 1);
+    if (second != std::string::npos) stated.resize(second);
+    ASSERT_NE(stated.find(c.stated), std::string::npos) << c.file;
+    const std::string half = with(stated, c.stated, c.unstated), name = std::string("half-") + c.file;
+    const auto whole = readText(name, stated).brdf;
+    const auto bilateral = readText(name, half).brdf;
+    EXPECT_EQ(bilateral->symmetry(), brdf::Symmetry::Bilateral) << c.file;
+    brdf::ReadOptions options;
+    options.symmetry = brdf::Symmetry::Isotropic;
+    const auto mirrored = readText(name, half, options);
+    EXPECT_EQ(mirrored.brdf->symmetry(), brdf::Symmetry::Isotropic) << c.file;
+    EXPECT_TRUE(mentions(mirrored.report.assumptions, "symmetry: isotropic (given")) << c.file;
+    for (int t = 5; t < 60; t += 7)
+      for (int p = 0; p < 360; p += 35)
+        EXPECT_EQ(mirrored.brdf->evaluate(polar(40, 10), polar(t, p)), whole->evaluate(polar(40, 10), polar(t, p)))
+            << c.file << " " << t << " " << p;
+    options.symmetry = brdf::Symmetry::Anisotropic;
+    EXPECT_NE(measuredtest::errorOf([&] { readText(name, half, options); }).find("bilateral, isotropic"),
+              std::string::npos)
+        << c.file;
+    options.symmetry = brdf::Symmetry::Bilateral;
+    EXPECT_NE(measuredtest::errorOf([&] { readText(name, stated, options); }).find("contradicts"), std::string::npos)
+        << c.file;
+  }
+}
