@@ -37,7 +37,7 @@ WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::
                          const std::string& action, const ColourSettings& colour) {
   const bool byExtension = format.empty();
   const auto known = materialFormats();
-  if (!byExtension && std::find(known.begin(), known.end(), format) == known.end())
+  if (!byExtension && std::find(known.begin(), known.end(), format.substr(0, format.find(':'))) == known.end())
     throw Error(Error::Kind::Value, {"unknown format", "format", std::string(format), joined(known)});
   if (format == kContainer || (byExtension && path.extension() == ".vtkhdf")) {
     writeContainer(path, "material", *material.brdf, makeProvenance(material.report, action), material.components);

@@ -13,7 +13,8 @@ namespace brdf {
 /// (io/BrdfLabXml.h) for sums of lobes, and every writable measured format.
 BRDF_EXPORT std::vector<std::string> materialFormats();
 
-/// Writes a material as `loadMaterial` gave it. `format` empty: by the extension of `path`; .xml means "xml" for a sum
+/// Writes a material as `loadMaterial` gave it. `format` empty: by the extension of `path`, else a name, with settings
+/// where it has some (configuredFormat()); .xml means "xml" for a sum
 /// of lobes, Radiance's for anything else. `action` goes to the provenance of a container, `colour` to writeMeasured.
 /// Throws Error::Kind::Value where the format cannot hold it.
 BRDF_EXPORT WriteReport saveMaterial(const LoadedMaterial& material, const std::filesystem::path& path,

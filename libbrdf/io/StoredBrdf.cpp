@@ -130,6 +130,10 @@ void storeSamples(const h5::Group& group, const Brdf& brdf) {
   storeDirections("wo", pairs.wo);
   for (std::size_t c = 0; c < channels; ++c) group.writeArray(valueName(c), values.data() + c * count, Sizes{count});
   group.writeArray("valid", valid.data(), Sizes{count});
+  const auto* scattered = dynamic_cast<const ScatteredBrdf*>(&brdf);
+  if (!scattered || scattered->data().uncertainty.empty()) return;
+  for (std::size_t c = 0; c < channels; ++c)
+    group.writeArray(stored::errorName(c), scattered->data().uncertainty.data() + c * count, Sizes{count});
 }
 
 BrdfPointer restoreSamples(const h5::Group& group, const std::string& description) {
@@ -148,6 +152,8 @@ BrdfPointer restoreSamples(const h5::Group& group, const std::string& descriptio
   restoreDirections("wi", samples.pairs.wi);
   restoreDirections("wo", samples.pairs.wo);
   restoreValues(group, samples.channels.count(), {count}, samples.values, samples.valid);
+  if (group.hasObject(stored::errorName(0)))
+    samples.uncertainty = stored::restoreChannelArrays(group, stored::errorName, samples.channels.count(), {count});
   return std::make_shared<const ScatteredBrdf>(std::move(samples), description);
 }
 

@@ -12,7 +12,8 @@ namespace brdf {
 ///             point arrays value_0, value_1, ... one a channel, and valid: a CellState each), plus the axes' meaning;
 /// "grid"      a GridBrdf (io/StoredGrid.h);
 /// "patches"   a PatchBrdf, "tree" a TreeBrdf (io/StoredPatches.h);
-/// "scattered" anything else that has samples: wi and wo (count x 3), value_0, value_1, ..., valid.
+/// "scattered" anything else that has samples: wi and wo (count x 3), value_0, value_1, ..., valid; error_0,
+///             error_1, ... where uncertainties are known (what kind, the provenance says).
 /// Throws Error::Kind::Value for a BRDF that is none of these.
 std::string storeBrdf(const h5::Group& group, const Brdf& brdf);
 

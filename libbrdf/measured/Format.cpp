@@ -197,6 +197,26 @@ const Format& findFormat(std::string_view name) {
   throw Error(Error::Kind::Value, {"unknown format", "format", std::string(name), joined(names())});
 }
 
+Format configuredFormat(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  const Format& format = findFormat(text.substr(0, colon));
+  if (colon == std::string_view::npos) return format;
+  std::vector<std::string> allowed;
+  for (const WriteSetting& setting : format.settings) allowed.push_back(setting.key + "=" + setting.values);
+  std::map<std::string, std::string> values;
+  for (const std::string_view item : split(text.substr(colon + 1), ',')) {
+    const std::size_t equals = item.find('=');
+    const std::string key(trimmed(item.substr(0, equals)));
+    const auto known = std::ranges::find(format.settings, key, &WriteSetting::key);
+    if (equals == std::string_view::npos || known == format.settings.end() ||
+        !values.emplace(key, trimmed(item.substr(equals + 1))).second)
+      throw Error(Error::Kind::Usage,
+                  {"unknown or repeated setting of the format " + format.name, "format", "'" + std::string(item) + "'",
+                   allowed.empty() ? "none" : joined(allowed, "; ")});
+  }
+  return format.configured(values);
+}
+
 ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options) {
   std::string name;
   ReadResult result;
@@ -223,39 +243,37 @@ WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, s
 
 WriteReport writeMeasured(const Brdf& brdf, const Components& components, const std::filesystem::path& path,
                           std::string_view format, const ColourSettings& colour) {
-  const Format* chosen = nullptr;
+  Format chosen;
   std::vector<std::string> extensions;
-  if (!format.empty()) {
-    chosen = &findFormat(format);
-  } else {
-    for (const Format& candidate : registry()) {
-      if (!candidate.write) continue;
-      extensions.push_back(candidate.extension);
-      if (!chosen && candidate.extension == path.extension()) chosen = &candidate;
-    }
-    if (!chosen)
-      throw Error(Error::Kind::Value, {"no format for this extension", path.string(), path.extension().string(),
-                                       joined(extensions) + ", or name a format"});
+  for (const Format& candidate : registry()) {
+    if (!candidate.write) continue;
+    extensions.push_back(candidate.extension);
+    if (format.empty() && chosen.name.empty() && candidate.extension == path.extension()) chosen = candidate;
   }
-  if (!chosen->write)
-    throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen->name, joined(extensions)});
-  const bool whole = chosen->writeMaterial != nullptr;
-  if (chosen->coloursOnly && hasSpectra(brdf, whole ? components : Components{})) {
+  if (!format.empty()) chosen = configuredFormat(format);
+  if (chosen.name.empty())
+    throw Error(Error::Kind::Value, {"no format for this extension", path.string(), path.extension().string(),
+                                     joined(extensions) + ", or name a format"});
+  if (!chosen.write)
+    throw Error(Error::Kind::Value, {"this format is read only", path.string(), chosen.name, joined(extensions)});
+  const bool whole = chosen.writeMaterial != nullptr;
+  if (chosen.coloursOnly && hasSpectra(brdf, whole ? components : Components{})) {
     const BrdfPointer reduced = reducedToRgb(BrdfPointer(BrdfPointer{}, &brdf), colour);
-    WriteReport report = writeMeasured(*reduced, inColours(components, colour), path, chosen->name);
+    WriteReport report =
+        writeMeasured(*reduced, inColours(components, colour), path, format.empty() ? chosen.name : format);
     report.losses.insert(report.losses.begin(), "spectrum: reduced to linear sRGB under " + describe(colour));
     return report;
   }
   WriteReport report;
-  if (chosen->writeFolder && (!path.has_filename() || std::filesystem::is_directory(path))) {
-    report = writeFolder(*chosen, brdf, path);
+  if (chosen.writeFolder && (!path.has_filename() || std::filesystem::is_directory(path))) {
+    report = writeFolder(chosen, brdf, path);
   } else {
     AtomicFile file(path);
-    report = whole ? chosen->writeMaterial(components.front ? &brdf : nullptr, components, file.temporaryPath())
-                   : chosen->write(brdf, file.temporaryPath());
+    report = whole ? chosen.writeMaterial(components.front ? &brdf : nullptr, components, file.temporaryPath())
+                   : chosen.write(brdf, file.temporaryPath());
     file.commit();
   }
-  if (!whole) reportUnkept(components, {}, false, false, chosen->name, report);
+  if (!whole) reportUnkept(components, {}, false, false, chosen.name, report);
   if (!whole && !components.front)
     report.losses.push_back("the material has no front reflection: what is written is what stands for it");
   return report;

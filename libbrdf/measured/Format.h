@@ -48,6 +48,13 @@ struct NamedBytes {
   std::string bytes;
 };
 
+/// Something that the writer of a format can be told: "NAME:KEY=VALUE,KEY=VALUE" in place of the format's name.
+struct WriteSetting {
+  std::string key;
+  std::string values;   ///< "full, half, quarter", "1 to 8"
+  std::string meaning;  ///< one line, with the default
+};
+
 /// A file format of measured (or tabulated) BRDFs: one record in the registry, one pair of files in measured/.
 struct Format {
   std::string name;       ///< short, lower case: "merl"
@@ -77,6 +84,10 @@ struct Format {
       writeMaterial{};
   /// Holds colours, no spectra: writeMeasured() reduces spectral data to linear sRGB before `write` sees them.
   bool coloursOnly = false;
+  /// What the writer can be told, and the format with its writer told so: each key once, of those listed. Throws
+  /// Error::Kind::Usage about a value. Null where there is nothing to tell.
+  std::vector<WriteSetting> settings{};
+  std::function<Format(const std::map<std::string, std::string>& values)> configured{};
 };
 
 /// All formats; ours first, then those registered from outside.
@@ -85,15 +96,18 @@ BRDF_EXPORT std::span<const Format> allFormats();
 BRDF_EXPORT void registerFormat(Format format);
 /// The format called `name`, or throws Error::Kind::Value with the allowed names.
 BRDF_EXPORT const Format& findFormat(std::string_view name);
+/// The format that `text` means: a name, or a name and settings, as in "radiance_tree:depth=5,tolerance=0.02". Throws
+/// Error::Kind::Value for the name and Error::Kind::Usage for a setting, with what is allowed.
+BRDF_EXPORT Format configuredFormat(std::string_view text);
 
 /// Reads a measured file of any registered format, recognised by content. Throws Error::Kind::Format when no format
 /// recognises it, and Error::Kind::Value for an option that the format does not take. A folder is read when a format of
 /// one file an incidence recognises every file in it (hidden ones left out). What lint() finds is among the warnings.
 BRDF_EXPORT ReadResult readMeasured(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`. A
-/// format of one file an incidence writes a folder when `path` is an empty one or ends with '/'. `colour`: how spectral
-/// data become colours where the format has no spectra (Format::coloursOnly).
+/// Writes `brdf` to `path`, replacing it only when complete. `format` empty: chosen by the extension of `path`;
+/// else as configuredFormat() takes it. A format of one file an incidence writes a folder when `path` is an empty one
+/// or ends with '/'. `colour`: how spectral data become colours where the format has no spectra (Format::coloursOnly).
 BRDF_EXPORT WriteReport writeMeasured(const Brdf& brdf, const std::filesystem::path& path, std::string_view format = {},
                                       const ColourSettings& colour = {});
 /// The same with the components that came with `brdf` (ReadResult); what the format does not take is a loss.

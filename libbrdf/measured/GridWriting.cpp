@@ -20,6 +20,22 @@ std::vector<double> range(double first, double last, double step) {
 
 }  // namespace
 
+void reportCells(const GridData& data, WriteReport& report) {
+  std::vector<std::uint8_t> above(data.states.size());
+  data.layout.aboveHorizon(0, above.size(), above.data());
+  std::size_t invalid = 0, extrapolated = 0;
+  for (std::size_t i = 0; i < above.size(); ++i) {
+    invalid += above[i] && data.states[i] == stateByte(CellState::Invalid);
+    extrapolated += data.states[i] == stateByte(CellState::Extrapolated);
+  }
+  if (invalid > 0)
+    report.losses.push_back("validity: " + std::to_string(invalid) +
+                            " cells above the horizon without a value are written as 0");
+  if (extrapolated > 0)
+    report.losses.push_back("validity: " + std::to_string(extrapolated) + " extrapolated cells look measured");
+  if (!data.standardError.empty()) report.losses.push_back("standard errors");
+}
+
 std::shared_ptr<const GridBrdf> gridFor(const Brdf& brdf, bool (*fitting)(const GridLayout&),
                                         const GridLayout& fallback, WriteReport& report) {
   const auto* own = dynamic_cast<const GridBrdf*>(&brdf);
@@ -35,20 +51,7 @@ std::shared_ptr<const GridBrdf> gridFor(const Brdf& brdf, bool (*fitting)(const 
     grid = GridBrdf::tabulate(brdf, fallback);
     report.losses.push_back("resampled on a grid: " + fallback.text());
   }
-  const GridData& data = grid->data();
-  std::vector<std::uint8_t> above(data.states.size());
-  data.layout.aboveHorizon(0, above.size(), above.data());
-  std::size_t invalid = 0, extrapolated = 0;
-  for (std::size_t i = 0; i < above.size(); ++i) {
-    invalid += above[i] && data.states[i] == stateByte(CellState::Invalid);
-    extrapolated += data.states[i] == stateByte(CellState::Extrapolated);
-  }
-  if (invalid > 0)
-    report.losses.push_back("validity: " + std::to_string(invalid) +
-                            " cells above the horizon without a value are written as 0");
-  if (extrapolated > 0)
-    report.losses.push_back("validity: " + std::to_string(extrapolated) + " extrapolated cells look measured");
-  if (!data.standardError.empty()) report.losses.push_back("standard errors");
+  reportCells(grid->data(), report);
   return grid;
 }
 

@@ -9,6 +9,9 @@ namespace brdf {
 
 // What the writers of grids share: layouts, angles, losses.
 
+/// What a format without a place for it loses of a grid: invalid and extrapolated cells, standard errors.
+void reportCells(const GridData& data, WriteReport& report);
+
 /// `brdf` as a grid: itself where its layout is `fitting`, else tabulated on `fallback`. What is lost goes to `report`:
 /// resampling, scales and edges of the axes, cells above the horizon without a value (the caller writes them as 0).
 std::shared_ptr<const GridBrdf> gridFor(const Brdf& brdf, bool (*fitting)(const GridLayout&),

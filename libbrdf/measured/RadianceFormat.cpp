@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace brdf {
 namespace {
@@ -352,17 +353,28 @@ ReadResult read(std::string_view bytes, const std::filesystem::path& path, const
   return Reader(bytes, path, options).run();
 }
 
-Format format(const char* name, const char* title, RadianceWriteOptions::Structure structure) {
+Format format(const char* name, const char* title, const RadianceWriteOptions& options) {
   Format result{name, title, ".xml", recognise, read, nullptr, {"sides", "colour"}};
-  result.write = [structure](const Brdf& brdf, const std::filesystem::path& path) {
-    return writeRadiance(&brdf, {}, path, {.structure = structure});
+  result.write = [options](const Brdf& brdf, const std::filesystem::path& path) {
+    return writeRadiance(&brdf, {}, path, options);
   };
-  result.writeMaterial = [structure](const Brdf* front, const Components& components,
-                                     const std::filesystem::path& path) {
-    return writeRadiance(front, components, path, {.structure = structure});
+  result.writeMaterial = [options](const Brdf* front, const Components& components, const std::filesystem::path& path) {
+    return writeRadiance(front, components, path, options);
   };
   result.coloursOnly = true;
   return result;
+}
+
+[[noreturn]] void failSetting(const std::string& key, const std::string& value, std::string allowed) {
+  throw Error(Error::Kind::Usage,
+              {"wrong setting of the format", "format, " + key, "'" + value + "'", std::move(allowed)});
+}
+
+double numberSetting(const std::string& key, const std::string& value, double low, double high) {
+  const auto number = parseNumber(value);
+  if (!number || !(*number >= low && *number <= high))
+    failSetting(key, value, formatNumber(low) + " to " + formatNumber(high));
+  return *number;
 }
 
 /// The same for writing alone: "radiance" reads them all.
@@ -373,19 +385,52 @@ Format writeOnly(Format format) {
   return format;
 }
 
+Format klemsWith(const std::map<std::string, std::string>& values) {
+  RadianceWriteOptions options{.structure = RadianceWriteOptions::Structure::Matrix};
+  for (const auto& [key, value] : values) {
+    if (key == "tolerance")
+      options.patches.tolerance = numberSetting(key, value, 1e-6, 1);
+    else if (value == "half")
+      options.basis = PatchBasis::klemsHalf();
+    else if (value == "quarter")
+      options.basis = PatchBasis::klemsQuarter();
+    else if (value != "full")
+      failSetting(key, value, "full, half, quarter");
+  }
+  Format result = writeOnly(
+      format("radiance_klems", "Radiance / WINDOW6 XML, written as Klems matrix, full unless told otherwise", options));
+  result.settings = {{"basis", "full, half, quarter", "patches of a hemisphere: 145, 77 or 41 [full]"},
+                     {"tolerance", "1e-6 to 1", "share of the reflected energy that quadrature may miss [0.001]"}};
+  result.configured = klemsWith;
+  return result;
+}
+
+Format treeWith(const std::map<std::string, std::string>& values) {
+  RadianceWriteOptions options{.structure = RadianceWriteOptions::Structure::Tree};
+  for (const auto& [key, value] : values) {
+    if (key == "tolerance") {
+      options.tree.tolerance = numberSetting(key, value, 0, 1);
+      continue;
+    }
+    const double depth = numberSetting(key, value, 1, 8);
+    if (depth != std::floor(depth)) failSetting(key, value, "a whole number, 1 to 8");
+    options.tree.levels = static_cast<int>(depth);
+  }
+  Format result = writeOnly(format("radiance_tree", "Radiance / WINDOW6 XML, written as tensor tree", options));
+  result.settings = {
+      {"depth", "1 to 8", "the finest cell is 2^-depth wide [6 isotropic; 5 else, and at most 6]"},
+      {"tolerance", "0 to 1", "share of their mean by which cells that are joined may differ from it [0.01]"}};
+  result.configured = treeWith;
+  return result;
+}
+
 }  // namespace
 
 Format radianceFormat() {
   return format("radiance", "Radiance / WINDOW6 XML; written as Klems full matrix, or as the tree or matrix that it is",
-                RadianceWriteOptions::Structure::Keep);
+                {});
 }
-Format radianceKlemsFormat() {
-  return writeOnly(format("radiance_klems", "Radiance / WINDOW6 XML, written as Klems full matrix",
-                          RadianceWriteOptions::Structure::Matrix));
-}
-Format radianceTreeFormat() {
-  return writeOnly(
-      format("radiance_tree", "Radiance / WINDOW6 XML, written as tensor tree", RadianceWriteOptions::Structure::Tree));
-}
+Format radianceKlemsFormat() { return klemsWith({}); }
+Format radianceTreeFormat() { return treeWith({}); }
 
 }  // namespace brdf

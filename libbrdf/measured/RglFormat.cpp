@@ -189,7 +189,9 @@ ReadResult readKaist(std::string_view bytes, const std::filesystem::path& path, 
   const InvalidRule rule = choose(options, InvalidRule::NotFinite, "directions that were not measured are NaN", report);
   report.assumptions.push_back("the element (0, 0) of the Mueller matrices is the BRDF for unpolarised light");
   report.assumptions.push_back("angles are radians; phi_d is the light's azimuth about the half vector");
-  report.warnings.push_back("the other 15 elements of the Mueller matrices are not kept");
+  report.warnings.push_back(
+      "polarisation is not kept: the frames that the other 15 elements of the Mueller matrices refer to are not "
+      "established");
   return finishGrid(std::move(data), path, std::move(report), quantity, rule);
 }
 

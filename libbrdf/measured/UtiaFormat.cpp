@@ -12,6 +12,7 @@
 #include <brdf/material/ChannelView.h>
 #include <brdf/measured/BuiltInFormats.h>
 #include <brdf/measured/GridFile.h>
+#include <brdf/measured/GridWriting.h>
 #include <brdf/measured/ScatteredText.h>
 
 #include <bit>
@@ -80,9 +81,7 @@ std::vector<double> onGrid(const Brdf& brdf, WriteReport& report) {
     made = GridBrdf::tabulate(*asRgb(BrdfPointer(BrdfPointer{}, &brdf)), layout());
     own = made.get();
   }
-  std::size_t invalid = 0;
-  for (const std::uint8_t state : own->data().states) invalid += state == stateByte(CellState::Invalid);
-  if (invalid > 0) report.losses.push_back(std::to_string(invalid) + " invalid cells are written as 0");
+  reportCells(own->data(), report);
   return own->data().values;
 }
 

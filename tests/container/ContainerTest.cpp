@@ -57,6 +57,23 @@ TEST(Container, ScatteredSamplesComeBackBitForBit) {
   EXPECT_TRUE(samples::sameSamples(*container.load(0), *written));
 }
 
+TEST(Container, UncertaintiesOfScatteredSamplesComeBackBitForBit) {
+  const fs::path path = freshFolder("uncertain") / "a.vtkhdf";
+  brdf::ScatteredSamples data = samples::scattered()->data();
+  for (std::size_t i = 0; i < data.values.size(); ++i) data.uncertainty.push_back(static_cast<double>(i + 1) / 700);
+  data.uncertainty[3] = std::numeric_limits<double>::quiet_NaN();
+  const brdf::ScatteredBrdf written(data, "uncertain samples");
+  brdf::writeContainer(path, "a", written, {});
+  const auto read = Container(path).load(0);
+  const std::vector<double>& back = dynamic_cast<const brdf::ScatteredBrdf&>(*read).data().uncertainty;
+  ASSERT_EQ(back.size(), data.uncertainty.size());
+  for (std::size_t i = 0; i < back.size(); ++i)
+    if (i == 3)
+      EXPECT_TRUE(std::isnan(back[i]));
+    else
+      EXPECT_EQ(back[i], data.uncertainty[i]) << i;
+}
+
 TEST(Container, SamplesOfAnySizeComeBackBitForBit) {  // in the header, in one chunk, in many chunks
   const fs::path folder = freshFolder("sizes");
   for (const std::size_t count : {1, 100, 3000, 200000}) {

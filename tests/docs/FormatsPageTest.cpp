@@ -30,6 +30,15 @@ TEST(FormatsPage, HasARowForEveryFormatAndNoOther) {
   EXPECT_EQ(rows, brdf::allFormats().size() + brdf::readOptionKeys().size());
 }
 
+TEST(FormatsPage, ListsEverySettingOfAWriter) {
+  const std::string page = brdf::readFile(brdf::docs() / "formats.md");
+  for (const brdf::Format& format : brdf::allFormats())
+    for (const brdf::WriteSetting& setting : format.settings) {
+      const std::string row = "- `" + format.name + ":" + setting.key + "=`" + setting.values + ": " + setting.meaning;
+      EXPECT_NE(page.find(row), page.npos) << "missing in docs/formats.md:\n" << row;
+    }
+}
+
 TEST(FormatsPage, ListsEveryReadOptionWithItsValues) {
   const std::string page = brdf::readFile(brdf::docs() / "formats.md");
   for (const brdf::ReadOptionKey& key : brdf::readOptionKeys()) {

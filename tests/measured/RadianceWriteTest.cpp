@@ -214,3 +214,31 @@ TEST(RadianceWrite, MaterialsWithoutAFrontReflectionKeepWhatTheyHave) {
   EXPECT_TRUE(mentions(back.report.warnings, "no front reflection"));
   EXPECT_THROW(brdf::writeRadiance(nullptr, {}, dir / "b.xml"), brdf::Error);
 }
+
+TEST(RadianceWrite, TheFormatsSettingsReachTheWriter) {
+  const auto material = brdf::parseMaterialExpression("0.3*Lambertian + 0.1*GGX(alpha=0.4)");
+  const auto folderOf = folder("settings");
+  const auto written = [&](const std::string& format) {
+    const auto path = folderOf / "a.xml";
+    brdf::writeMeasured(*material, path, format);
+    return brdf::readMeasured(path).brdf;
+  };
+  const auto patches = [&](const std::string& format) {
+    const auto brdf = written(format);
+    return dynamic_cast<const brdf::PatchBrdf&>(*brdf).data().incident.count();
+  };
+  const auto cells = [&](const std::string& format) {
+    const auto brdf = written(format);
+    return dynamic_cast<const brdf::TreeBrdf&>(*brdf).tree().cells();
+  };
+  EXPECT_EQ(patches("radiance_klems"), 145u);
+  EXPECT_EQ(patches("radiance_klems:basis=half"), 77u);
+  EXPECT_EQ(patches("radiance_klems:basis=quarter,tolerance=0.1"), 41u);
+  EXPECT_LE(cells("radiance_tree:depth=2"), 64u);  // 4^3, of which half are not used
+  EXPECT_GT(cells("radiance_tree:depth=4,tolerance=0.01"), cells("radiance_tree:depth=4,tolerance=0.5"));
+  for (const char* wrong :
+       {"radiance_klems:basis=large", "radiance_klems:depth=3", "radiance_tree:depth=9", "radiance_tree:depth=2.5",
+        "radiance_tree:depth=2,depth=3", "radiance_tree:", "merl:depth=3"})
+    EXPECT_THROW(brdf::writeMeasured(*material, folderOf / "b.xml", wrong), brdf::Error) << wrong;
+  EXPECT_FALSE(std::filesystem::exists(folderOf / "b.xml"));
+}

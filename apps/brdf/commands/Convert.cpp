@@ -118,6 +118,15 @@ void run(const Output& output, const Values& values) {
   output.report(report);
 }
 
+/// Everything that writers can be told, for help.
+std::string settings() {
+  std::vector<std::string> texts;
+  for (const Format& format : allFormats())
+    for (const WriteSetting& setting : format.settings)
+      texts.push_back(format.name + " " + setting.key + "=" + setting.values + ", " + setting.meaning);
+  return joined(texts, "; ");
+}
+
 }  // namespace
 
 Command convertCommand() {
@@ -130,7 +139,9 @@ Command convertCommand() {
             arguments.positional("IN", values->in, "A file, an expression or preset:NAME");
             arguments.positional("OUT", values->out, "The file to write; it is replaced when complete");
             arguments.option("--format", values->format, "NAME",
-                             "Format of OUT, else by its extension: " + joined(materialFormats()));
+                             "Format of OUT, else by its extension: " + joined(materialFormats()) +
+                                 "; with settings as in " +
+                                 "radiance_tree:depth=5,tolerance=0.02 where it has some: " + settings());
             arguments.option("--fill", values->fill, "METHOD",
                              "Fill invalid cells and mark them extrapolated: none, reciprocity, symmetry, nearest, or "
                              "model:MATERIAL [none]");
