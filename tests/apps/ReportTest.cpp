@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 using nlohmann::json;
@@ -126,6 +127,37 @@ TEST(Report, ConvertingATableToTheContainerLosesNothing) {
   EXPECT_LT(trip["metrics"]["rms"].get<double>(),
             1e-15 * trip["zero_model"]["rms"].get<double>());  // interpolation rounds
   EXPECT_EQ(report["losses"].size(), 0u);
+}
+
+TEST(Report, AnExportStatesItsErrorWhereAndUnderWhichConditions) {
+  const auto folder = scratchFolder();
+  const std::set<std::string> keys = {"material",  "format",    "out",     "exact",      "reason",
+                                      "evaluated", "max_theta", "metrics", "zero_model", "samples",
+                                      "sampling",  "worst",     "colour",  "notes"};
+  const json exact = reportOf(folder, {"export", "0.5*Lambertian", "--format", "osl", "--out", "a.osl"});
+  EXPECT_EQ(keysOf(exact), keys);
+  EXPECT_TRUE(exact["exact"]);
+  EXPECT_EQ(exact["reason"], "");
+  EXPECT_EQ(exact["metrics"]["rms"], 0.0);
+  EXPECT_EQ(exact["format"], "osl");
+  EXPECT_EQ(exact["max_theta"], 80);
+  expectKeys(exact["colour"], {"illuminant", "observer", "adaptation"});
+
+  const json fitted = reportOf(folder, {"export", "0.4*Lambertian + 0.2*Ward(ax=0.3)", "--format", "osl", "--out",
+                                        "b.osl", "--max-theta", "70"});
+  EXPECT_EQ(keysOf(fitted), keys);
+  EXPECT_FALSE(fitted["exact"]);
+  EXPECT_NE(fitted["reason"], "");
+  EXPECT_EQ(fitted["max_theta"], 70);
+  expectKeys(fitted["worst"], {"difference", "evaluated", "material", "theta_i", "phi_i", "theta_o", "phi_o"});
+  EXPECT_LE(fitted["worst"]["theta_i"].get<double>(), 70 + 1e-9);
+  EXPECT_NEAR(fitted["worst"]["difference"].get<double>(),
+              std::abs(fitted["worst"]["evaluated"].get<double>() - fitted["worst"]["material"].get<double>()), 1e-12);
+  // `evaluated` is an expression that compares with the material as the report says.
+  const json again =
+      reportOf(folder, {"compare", fitted["evaluated"].get<std::string>(), fitted["material"], "--max-theta", "70"});
+  EXPECT_NEAR(again["metrics"]["rms"].get<double>(), fitted["metrics"]["rms"].get<double>(),
+              1e-9 * fitted["zero_model"]["rms"].get<double>());
 }
 
 TEST(Report, JsonGoesToAFileBesideTheTextToo) {

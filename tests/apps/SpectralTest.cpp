@@ -117,6 +117,29 @@ TEST(Spectral, InfoSaysTheColourUnderTheLightAskedFor) {
             1.2 * a["linear_srgb"][0].get<double>());
 }
 
+TEST(Spectral, ExportsSeeTheMaterialUnderTheLightAskedFor) {
+  const auto folder = scratchFolder();
+  writeSpectralFiles(folder);
+  // A diffuse material is exact in OSL: what the report says it evaluates is the colour itself.
+  const auto exported = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> words{"export", "spectral.xml", "--format", "osl", "--out", "red.osl"};
+    words.insert(words.end(), options.begin(), options.end());
+    const json report = reportOf(folder, words);
+    EXPECT_TRUE(report["exact"]);
+    const json value =
+        reportOf(folder, {"eval", report["evaluated"].get<std::string>(), "--at", "30,0,20,50"})["values"][0]["value"];
+    Colour colour{};
+    for (std::size_t c = 0; c < 3; ++c) colour[c] = value[c].get<double>() * std::numbers::pi;
+    return std::pair(colour, report);
+  };
+  expectColour(exported({}).first, redUnderD65());
+  const auto [lamp, report] = exported({"--illuminant", "A"});
+  expectColour(lamp, redUnderA());
+  EXPECT_EQ(report["colour"]["illuminant"], "A");
+  EXPECT_NE(report["notes"].dump().find("under A"), std::string::npos);
+  EXPECT_NE(exported({"--observer", "10"}).first, exported({}).first);
+}
+
 TEST(Spectral, WrongLightsAreWrongUsage) {
   const auto folder = scratchFolder();
   writeSpectralFiles(folder);

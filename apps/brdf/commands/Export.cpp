@@ -1,5 +1,6 @@
 #include "Arguments.h"
 #include "Assumptions.h"
+#include "Colours.h"
 #include "Commands.h"
 #include "FitReportJson.h"
 #include "Output.h"
@@ -20,6 +21,7 @@ namespace {
 struct Values {
   std::string material, format, out;
   ExportOptions options;
+  ColourNames colours;
 };
 
 std::vector<std::string> exporterNames() {
@@ -54,7 +56,9 @@ void run(const Output& output, const Values& values) {
   const Exporter& exporter = chosen(values);
   checkWritable(values.out);
   const LoadedMaterial loaded = loadMaterial(values.material, assumptions());
-  const ExportResult result = exportMaterial(loaded.brdf, exporter, values.options);
+  ExportOptions options = values.options;
+  options.colour = colourSettings(values.colours);
+  const ExportResult result = exportMaterial(loaded.brdf, exporter, options);
   writeFile(values.out, result.text);
 
   const ExportError& error = result.error;
@@ -78,6 +82,7 @@ void run(const Output& output, const Values& values) {
                  {"reason", result.reason},
                  {"evaluated", result.evaluated->description()},
                  {"max_theta", values.options.maximumTheta},
+                 {"colour", coloursJson(values.colours)},
                  {"metrics", error.comparison.metrics},
                  {"zero_model", error.comparison.zeroModel},
                  {"samples", error.comparison.samples},
@@ -111,6 +116,7 @@ Command exportCommand() {
             arguments.choice("--metric", values->options.metric, metricNames(), "What an approximation makes least");
             arguments.option("--max-theta", values->options.maximumTheta, {1, 90}, "DEGREES",
                              "Leave directions above out of approximations and errors");
+            declareColours(arguments, values->colours);
           },
           [values](const Output& output) { run(output, *values); }};
 }
