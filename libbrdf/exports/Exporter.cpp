@@ -11,8 +11,9 @@ namespace brdf {
 namespace {
 
 std::vector<Exporter>& registry() {
-  static std::vector<Exporter> exporters{glslExporter(),    gltfExporter(), materialXExporter(), mitsubaExporter(),
-                                         openPbrExporter(), oslExporter(),  pbrtExporter()};
+  static std::vector<Exporter> exporters{glslExporter(),    gltfExporter(),           materialXExporter(),
+                                         mitsubaExporter(), openPbrExporter(),        oslExporter(),
+                                         pbrtExporter(),    standardSurfaceExporter()};
   return exporters;
 }
 

@@ -48,6 +48,14 @@ double cachedAlbedo(double mu, double alpha) {
   return it->second;
 }
 
+/// The same with Schlick's Fresnel term.
+double cachedAlbedo(double mu, double alpha, double f0) {
+  static std::map<std::array<double, 3>, double> known;
+  const auto [it, fresh] = known.try_emplace({mu, alpha, f0}, 0);
+  if (fresh) it->second = albedo(mu, alpha, [f0](double x) { return schlick(f0, x); });
+  return it->second;
+}
+
 /// A microfacet node with Fresnel terms for three channels.
 Shading microfacet(double ax, double ay, const std::array<std::function<double(double)>, 3>& f) {
   Colour mean;
@@ -106,6 +114,7 @@ class MaterialXReader {
     EXPECT_STREQ(material.attribute("name").value(), "material");
     const pugi::xml_node surface = source(material, "surfaceshader");
     if (std::string_view(surface.name()) == "open_pbr_surface") return openPbr(surface);
+    if (std::string_view(surface.name()) == "standard_surface") return standardSurface(surface);
     EXPECT_STREQ(surface.name(), "surface");
     return read(source(surface, "bsdf"));
   }
@@ -191,12 +200,47 @@ class MaterialXReader {
                   diffuse = eon(base, number(node, "base_diffuse_roughness"));
     const double f0 = std::pow((n - 1) / (n + 1), 2), a = std::sqrt(ax * ay), mean = meanFresnel(glass[0]);
     return [=](const Direction& l, const Direction& v) {
-      static std::map<std::array<double, 3>, double> known;
-      const auto [it, fresh] = known.try_emplace({v[2], a, f0}, 0);
-      if (fresh) it->second = albedo(v[2], a, [f0](double x) { return schlick(f0, x); });
-      const double e = cachedAlbedo(v[2], a), top = it->second * (1 + mean * (1 - e) / e);
+      const double e = cachedAlbedo(v[2], a), top = cachedAlbedo(v[2], a, f0) * (1 + mean * (1 - e) / e);
       return (1 - metalness) * (coat(l, v) + (1 - top) * diffuse(l, v)) + metalness * metalLobe(l, v);
     };
+  }
+
+  /// The graph NG_standard_surface of MaterialX 1.39 where it has a dielectric alone or a metal alone, with the nodes
+  /// roughness_anisotropy and artistic_ior (O. Gulbrandsen 2014, JCGT 3(4)).
+  static Shading standardSurface(pugi::xml_node node) {
+    EXPECT_EQ(number(node, "base"), 1);
+    EXPECT_EQ(number(node, "specular"), 1);
+    EXPECT_EQ(number(node, "diffuse_roughness"), 0);
+    const Colour base = colour(node, "base_color"), edge = colour(node, "specular_color");
+    const double r = number(node, "specular_roughness");
+    if (number(node, "metalness") == 0) {
+      EXPECT_EQ(edge, (Colour{1, 1, 1}));
+      const double n = number(node, "specular_IOR"), a = r * r, f0 = std::pow((n - 1) / (n + 1), 2);
+      const std::function<double(double)> glass = [n](double x) { return fresnel(n, 0, x); };
+      const Shading top = microfacet(a, a, {glass, glass, glass});
+      const double mean = meanFresnel(glass);
+      return [=](const Direction& l, const Direction& v) {
+        const double e = cachedAlbedo(v[2], a), through = 1 - cachedAlbedo(v[2], a, f0) * (1 + mean * (1 - e) / e);
+        return top(l, v) + through / kPi * base;
+      };
+    }
+    EXPECT_EQ(number(node, "metalness"), 1);
+    const double aspect = std::sqrt(1 - number(node, "specular_anisotropy"));
+    double ax = std::min(r * r / aspect, 1.0), ay = r * r * aspect;
+    if (const double turn = number(node, "specular_rotation"); turn != 0) {
+      EXPECT_EQ(turn, 0.25);  // a right angle
+      std::swap(ax, ay);
+    }
+    std::array<std::function<double(double)>, 3> metal;
+    for (std::size_t c = 0; c < 3; ++c) {
+      const double f0 = std::clamp(base[c], 0.0, 0.99), least = (1 - f0) / (1 + f0),
+                   most = (1 + std::sqrt(f0)) / (1 - std::sqrt(f0)), n = most + (least - most) * edge[c];
+      EXPECT_GE(edge[c], 0);
+      EXPECT_LE(edge[c], 1);
+      const double k = std::sqrt(std::max(0.0, (f0 * (n + 1) * (n + 1) - (n - 1) * (n - 1)) / (1 - f0)));
+      metal[c] = [n, k](double x) { return fresnel(n, k, x); };
+    }
+    return microfacet(ax, ay, metal);
   }
 
   pugi::xml_document document_;
@@ -244,6 +288,39 @@ TEST(OpenPbr, ApproximatesPlastic) {
   EXPECT_FALSE(result.exact);
   expectSame(MaterialXReader(result.text).shading(), *result.evaluated, 3e-3);
   EXPECT_LT(result.error.comparison.metrics.at("rms"), 0.03 * result.error.comparison.zeroModel.at("rms"));
+}
+
+TEST(StandardSurface, HoldsADielectricOverDiffuseReflectionExactly) {
+  const auto material = parseMaterialExpression(
+      "OpenPBR(base_color=(0.3,0.6,0.9), base_metalness=0, base_diffuse_roughness=0, specular_roughness=0.5, "
+      "specular_ior=1.6)");
+  const ExportResult result = exported("standard_surface", material);
+  EXPECT_TRUE(result.exact) << result.reason;
+  expectSame(MaterialXReader(result.text).shading(), *material, 3e-3);
+}
+
+TEST(StandardSurface, HoldsAMetalAlongAndAcrossTheTangentExactly) {
+  for (const char* width : {"alpha=0.4, alpha_y=0.2", "alpha=0.2, alpha_y=0.5", "alpha=0.3"}) {
+    const auto material =
+        parseMaterialExpression("MaterialXConductor(" + std::string(width) + ", eta=(0.2,0.4,1.4), k=(3.9,2.4,1.6))");
+    const ExportResult result = exported("standard_surface", material);
+    EXPECT_TRUE(result.exact) << result.reason;
+    expectSame(MaterialXReader(result.text).shading(), *material, 3e-3);
+  }
+}
+
+TEST(StandardSurface, ApproximatesWhatItLacksAndStatesTheError) {
+  for (const auto& [text, part] :
+       {std::pair<const char*, double>{"(0.3,0.1,0.05)*Lambertian + GGX(alpha=0.2, ior=1.5)", 0.03},
+        {"GGXConductor(alpha=0.2, eta=(0.2,0.4,1.4), k=(3.9,2.4,1.6))", 0.03},
+        // Reflects more than the 0.99 that artistic_ior has.
+        {"MaterialXConductor(alpha=0.3, eta=0.01, k=5)", 0.05}}) {
+    const ExportResult result = exported("standard_surface", parseMaterialExpression(text));
+    EXPECT_FALSE(result.exact) << text;
+    EXPECT_EQ(findExporter("standard_surface").refusal(*result.evaluated), "") << result.evaluated->description();
+    expectSame(MaterialXReader(result.text).shading(), *result.evaluated, 3e-3);
+    EXPECT_LT(result.error.comparison.metrics.at("rms"), part * result.error.comparison.zeroModel.at("rms")) << text;
+  }
 }
 
 }  // namespace
