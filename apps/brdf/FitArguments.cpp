@@ -57,6 +57,8 @@ void FitArguments::declare(Arguments& arguments) {
   arguments.option("--max-theta", options_.maximumTheta, {0, 90}, "DEGREES",
                    "Leave out samples with theta_i or theta_o above");
   samples_.declare(arguments);
+  arguments.option("--cross-validate", options_.crossValidation, {0, 100},
+                   "Judge on parts left out, each whole blocks of directions; so many of them, each another fit [0]");
   arguments.option("--fix", fixed_, "NAME=VALUE",
                    "Hold a parameter, in every lobe or as in GGX.ior=1.5; several times");
 }

@@ -4,6 +4,7 @@
 #include <brdf/fit/ConstantModel.h>
 #include <brdf/fit/Cost.h>
 #include <brdf/fit/DataStart.h>
+#include <brdf/fit/Diagnostics.h>
 #include <brdf/fit/SpherePicture.h>
 #include <brdf/fit/StartSearch.h>
 #include <brdf/fit/TargetSamples.h>
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace brdf {
 namespace {
@@ -77,6 +79,8 @@ class Fitter {
     return solution;
   }
 
+  bool stopped() const { return stopped_; }
+
   /// Goes on from a solution on other data of the same channels.
   Solution resume(const FitData& data, ChannelRange channels, const Solution& from) {
     if (stopped_) return from;
@@ -91,8 +95,13 @@ class Fitter {
     options.tolerance = options_.tolerance;
     options.maximumIterations = options_.maximumIterations;
     options.seed = options_.seed;
+    double best = std::numeric_limits<double>::infinity();
     options.progress = [&](double squaredError) {
       ++report_.iterations;
+      if (squaredError < best) {
+        best = squaredError;
+        report_.history.push_back({runs_, report_.iterations, std::sqrt(squaredError / residuals)});
+      }
       if (options_.progress && !options_.progress(report_.iterations, std::sqrt(squaredError / residuals)))
         stopped_ = true;
       return !stopped_;
@@ -111,6 +120,7 @@ class Fitter {
       solution.shape.resize(problem_.coordinates().size());
     }
     report_.evaluations += solution.outcome.evaluations;
+    ++runs_;
     return solution;
   }
 
@@ -120,6 +130,13 @@ class Fitter {
   bool separable_;
   FitReport& report_;
   bool stopped_ = false;
+  std::size_t runs_ = 0;
+};
+
+/// Channels fitted together, and what was found.
+struct Group {
+  ChannelRange channels;
+  Solution solution;
 };
 
 std::string channelNames(const FitChannels& asked, const Channels& seen) {
@@ -130,6 +147,55 @@ std::string channelNames(const FitChannels& asked, const Channels& seen) {
   }
   if (asked.kind == FitChannels::Kind::Luminance) return "luminance";
   return seen.kind == Channels::Kind::Rgb ? "rgb" : seen.kind == Channels::Kind::Spectral ? "spectral" : "monochrome";
+}
+
+/// Fits without each part in turn, from the solution on all, and judges on that part. Empty when stopped.
+std::optional<CrossValidation> crossValidate(const FitProblem& problem, const FitOptions& options, bool separable,
+                                             const FitData& data, Symmetry symmetry, const std::vector<Group>& groups) {
+  const std::vector<std::uint8_t> parts = directionParts(data, symmetry, options.crossValidation);
+  FitReport counters;  // of these fits, not of the one reported
+  Fitter fitter(problem, options, separable, counters);
+  CrossValidation result;
+  double total = 0, sum = 0, squares = 0;
+  const double channels = static_cast<double>(data.channels), count = static_cast<double>(options.crossValidation);
+  for (std::size_t part = 0; part < options.crossValidation; ++part) {
+    const auto number = static_cast<std::uint8_t>(part);
+    const FitData training = data.select(parts, number, false), rest = data.select(parts, number, true);
+    double squared = 0, weight = 0;
+    for (const Group& group : groups) {
+      const Solution solution = fitter.resume(training, group.channels, group.solution);
+      JointCost cost(problem, rest, group.channels);
+      squared += cost.squaredError(cost.join(solution.shape, solution.scales));
+    }
+    if (fitter.stopped()) return std::nullopt;
+    for (const FitChunk& chunk : rest.chunks) {
+      for (const double root : chunk.weight) weight += root * root;
+      if (chunk.weight.empty()) weight += static_cast<double>(chunk.pairs.size());
+    }
+    const double meanSquare = squared / (weight * channels);
+    result.partErrors.push_back(std::sqrt(meanSquare));
+    total += squared;
+    sum += meanSquare;
+    squares += meanSquare * meanSquare;
+  }
+  result.error = std::sqrt(total / (data.totalWeight * channels));
+  const double variance = std::max(0.0, squares - sum * sum / count) / (count - 1);
+  if (result.error > 0) result.standardError = std::sqrt(variance / count) / (2 * result.error);
+  return result;
+}
+
+/// Degrees of freedom and the criteria that weigh them against the error.
+void addCriteria(const FitProblem& problem, const std::vector<Group>& groups, FitReport& report) {
+  report.degrees = 1;
+  for (const Group& group : groups) {
+    report.degrees += problem.coordinates().size();
+    for (std::size_t l = 0; l < problem.lobeCount(); ++l)
+      if (!problem.fixedScale(l)) report.degrees += group.channels.count;
+  }
+  const double n = static_cast<double>(report.samples * report.channels), k = static_cast<double>(report.degrees);
+  const double misfit = n * std::log(report.error * report.error);
+  report.aic = misfit + 2 * k;
+  report.bic = misfit + k * std::log(n);
 }
 
 std::string percent(double fraction) { return formatNumber(100 * fraction, 3) + " %"; }
@@ -145,6 +211,9 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
                 {"the separable strategy needs a metric that is quadratic in the BRDF: only then are the best scale "
                  "factors a linear least-squares problem",
                  "strategy", "separable with metric " + options.metric, "joint"});
+  if (options.crossValidation == 1 || options.crossValidation > 100)
+    throw Error(Error::Kind::Value, {"number of parts out of bounds", "cross-validation",
+                                     std::to_string(options.crossValidation), "2 to 100, or 0 for none"});
   if (!(options.tolerance > 0))
     throw Error(Error::Kind::Value,
                 {"tolerance out of bounds", "tolerance", formatNumber(options.tolerance), "above 0"});
@@ -157,6 +226,10 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   if (data.samples == 0)
     throw Error(Error::Kind::Value, {"the target has no valid sample", "target", target.description(), "at least 1"});
 
+  if (onSphere && options.crossValidation > 0)
+    throw Error(Error::Kind::Value,
+                {"a picture sums over directions, of which no block can be left out", "cross-validation",
+                 "metric " + metric->name(), "a metric of pairs of directions"});
   const FitData picture = onSphere ? spherePicture(*seen, onSphere) : FitData{};
   const FitData& judged = onSphere ? picture : data;
 
@@ -170,6 +243,10 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   report.samples = judged.samples;
   report.offered = samples.set->count();
   report.sampling = samples.sampling;
+  if (onSphere) {
+    report.sampling = "pixels of the picture of a sphere; the start from " + samples.sampling;
+    report.offered = judged.samples;
+  }
   report.weights = samples.weights;
   report.maximumTheta = options.maximumTheta;
   report.channelNames = channelNames(options.channels, seen->channels());
@@ -183,8 +260,8 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
         {problem.modelPointer(l), std::vector<std::vector<double>>(problem.model(l).parameters().size()), {}});
   Fitter fitter(problem, options, separable, report);
   report.converged = true;
-  const std::size_t groups = perChannel ? data.channels : 1;
-  for (std::size_t group = 0; group < groups; ++group) {
+  std::vector<Group> groups;
+  for (std::size_t group = 0; group < (perChannel ? data.channels : 1); ++group) {
     const ChannelRange channels{group, perChannel ? 1 : data.channels};
     Solution solution = fitter.solve(data, channels);
     if (onSphere) solution = fitter.resume(picture, channels, solution);
@@ -198,6 +275,7 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
     report.converged = report.converged && solution.outcome.converged;
     // Of several channels the one that did not converge is the one to tell of.
     if (report.termination.empty() || !solution.outcome.converged) report.termination = solution.outcome.termination;
+    groups.push_back({channels, std::move(solution)});
   }
   report.material = std::make_shared<LobeSum>(std::move(lobes), seen->channels());
 
@@ -213,6 +291,10 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
     report.zeroModel[report.metric] = sphere.zeroModel;
   }
   report.error = report.metrics.at(report.metric);
+  if (!onSphere) describeResiduals(data, report);
+  addCriteria(problem, groups, report);
+  if (options.crossValidation > 0 && !fitter.stopped())
+    report.crossValidation = crossValidate(problem, options, separable, data, seen->symmetry(), groups);
   const double zero = report.zeroModel.at(report.metric);
   const double explained = zero > 0 ? 1 - report.error * report.error / (zero * zero) : 0;
   if (explained < kWeakFit)

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/fit/FitReport.h>
 #include <brdf/material/LobeSum.h>
 
 #include <atomic>
@@ -70,53 +71,13 @@ struct FitOptions {
   std::size_t maximumIterations = 200;
   std::size_t starts = 0;  ///< extra random starts (Latin hypercube over the soft bounds)
   std::uint64_t seed = 1;  ///< of the random starts, and of optimizers that draw random numbers
+  /// Cross-validation in so many parts of whole blocks of directions, 2 to 100; 0: none. Each costs another fit.
+  std::size_t crossValidation = 0;
   bool scan = true;        ///< scan each lobe's shape on a coarse grid for the starting values (deterministic)
   bool dataStart = false;  ///< start from shapes read off the data too (fit/DataStart.h); with scan off only they and
                            ///< the request's own are starts
   /// Called after each iteration with the error so far; return false to stop with the best so far.
   std::function<bool(std::size_t iteration, double error)> progress;
-};
-
-/// One fitted number.
-struct FittedParameter {
-  std::string name;  ///< "alpha", or "scale" for a lobe's factor
-  std::string lobe;  ///< model name
-  std::size_t lobeIndex = 0;
-  std::optional<std::size_t> channel;  ///< empty: shared by all channels
-  double value = 0;
-  std::optional<double> standardError;  ///< empty where it is not determined (on a bound, or rank deficient)
-  double minimum = 0, maximum = 0;
-  bool fixed = false;
-  bool atBound = false;
-};
-
-struct FitReport {
-  std::shared_ptr<const LobeSum> material;  ///< the fit
-  std::string metric;
-  std::string metricFormula;  ///< the residual whose mean square is minimised, f the fit's and t the target's value
-  std::string optimizer;
-  std::string strategy;
-  double error = 0;                         ///< in the metric asked for
-  std::map<std::string, double> metrics;    ///< by every metric
-  std::map<std::string, double> zeroModel;  ///< the same for the model that answers 0
-  /// The constant BRDF (one value of at least 0 a channel, 1/sr) with the least error in the metric asked for.
-  std::vector<double> constantModel;
-  double constantError = 0;  ///< its error
-  std::string sampling;      ///< which samples of the target were used, in words
-  std::string weights;       ///< "none", "solid-angle" or "importance"
-  double maximumTheta = 90;  ///< degrees
-  std::string channelNames;  ///< what the channels are: "luminance", "rgb", "spectral", or the target's numbers "0,3"
-  double seconds = 0;
-  /// Evaluations of the error by the optimizer, all starts; on large data the first runs see a subset only.
-  std::size_t evaluations = 0;
-  std::size_t iterations = 0;
-  std::size_t samples = 0;  ///< samples used
-  std::size_t offered = 0;  ///< samples there were, with those invalid or beyond the theta limit
-  std::size_t channels = 0;
-  bool converged = false;
-  std::string termination;  ///< the reason, in words
-  std::vector<FittedParameter> parameters;
-  std::vector<std::string> notes;  ///< what a user should know: rank deficiency, parameters at bounds, weak lobes
 };
 
 /// Fits a sum of lobes to a target of any kind. Throws Error::Kind::Value for an unknown metric or optimizer, a

@@ -187,6 +187,39 @@ FitData FitData::subset(std::size_t count) const {
   return data;
 }
 
+FitData FitData::select(const std::vector<std::uint8_t>& parts, std::uint8_t part, bool inside) const {
+  FitData data;
+  data.metric = metric;
+  data.channels = channels;
+  std::size_t first = 0;
+  for (const FitChunk& in : chunks) {
+    const std::size_t length = in.pairs.size();
+    std::vector<std::size_t> kept;
+    for (std::size_t i = 0; i < length; ++i)
+      if ((parts[first + i] == part) == inside) kept.push_back(i);
+    first += length;
+    if (kept.empty()) continue;
+    const auto picked = [&](const std::vector<double>& planes) {
+      std::vector<double> result;
+      result.reserve(planes.size() / length * kept.size());
+      for (std::size_t plane = 0; plane < planes.size(); plane += length)
+        for (const std::size_t i : kept) result.push_back(planes[plane + i]);
+      return result;
+    };
+    FitChunk& out = data.chunks.emplace_back();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      out.pairs.wi[axis] = picked(in.pairs.wi[axis]);
+      out.pairs.wo[axis] = picked(in.pairs.wo[axis]);
+    }
+    out.target = picked(in.target);
+    out.weight = picked(in.weight);
+    out.factor = picked(in.factor);
+    data.samples += kept.size();
+  }
+  data.totalWeight = samples > 0 ? totalWeight * static_cast<double>(data.samples) / static_cast<double>(samples) : 0;
+  return data;
+}
+
 FitData FitData::mean(std::size_t first, std::size_t count) const {
   FitData data;
   data.metric = metric;

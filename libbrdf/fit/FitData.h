@@ -72,6 +72,9 @@ struct BRDF_EXPORT FitData {
   /// regular stride would see only some columns of a table.
   FitData subset(std::size_t count) const;
 
+  /// The samples whose entry in `parts` (one a sample, in order) is `part`, or those whose entry is not.
+  FitData select(const std::vector<std::uint8_t>& parts, std::uint8_t part, bool inside) const;
+
   /// The same samples with one channel: the mean of f over channels first .. first + count - 1.
   FitData mean(std::size_t first, std::size_t count) const;
 };

@@ -68,16 +68,22 @@ void addNote(FitReport& report, std::string note) {
   if (std::ranges::find(report.notes, note) == report.notes.end()) report.notes.push_back(std::move(note));
 }
 
-/// Standard errors in coordinates of x; infinite where not determined or on a bound. Adds the notes.
-std::vector<double> standardErrors(const Names& names, const NormalEquations& equations, const std::vector<bool>& free,
-                                   std::size_t residuals, const std::string& suffix, FitReport& report) {
+/// Coordinates of x that are determined, with their covariance.
+struct Determined {
+  std::vector<std::size_t> coordinates;
+  std::vector<double> covariance;
+};
+
+/// What is determined. Adds the notes.
+Determined determine(const Names& names, const NormalEquations& equations, const std::vector<bool>& free,
+                     std::size_t residuals, const std::string& suffix, FitReport& report) {
   const std::size_t all = free.size();
-  std::vector<double> errors(all, std::numeric_limits<double>::infinity());
+  Determined result;
   std::vector<std::size_t> index;
   for (std::size_t k = 0; k < all; ++k)
     if (free[k] && equations.matrix[k * all + k] > 0) index.push_back(k);
   const std::size_t p = index.size();
-  if (p == 0) return errors;
+  if (p == 0) return result;
   std::vector<double> matrix(p * p);
   for (std::size_t i = 0; i < p; ++i)
     for (std::size_t j = 0; j < p; ++j) matrix[i * p + j] = equations.matrix[index[i] * all + index[j]];
@@ -97,13 +103,15 @@ std::vector<double> standardErrors(const Names& names, const NormalEquations& eq
   }
   if (residuals <= p) {
     addNote(report, "there are not more measured values than parameters: no standard errors" + suffix);
-    return errors;
+    return result;
   }
   const double variance = equations.squaredError / static_cast<double>(residuals - p);
   std::set<std::pair<std::string, std::string>> named;
   for (std::size_t i = 0; i < p; ++i) {
     if (!determined[i]) continue;
-    errors[index[i]] = std::sqrt(variance * inverse[i * p + i]);
+    result.coordinates.push_back(index[i]);
+    for (std::size_t j = 0; j < p; ++j)
+      if (determined[j]) result.covariance.push_back(variance * inverse[i * p + j]);
     for (std::size_t j = 0; j < i; ++j) {
       const double correlation = inverse[i * p + j] / std::sqrt(inverse[i * p + i] * inverse[j * p + j]);
       if (!determined[j] || !(std::abs(correlation) > kStrongCorrelation)) continue;
@@ -113,7 +121,19 @@ std::vector<double> standardErrors(const Names& names, const NormalEquations& eq
                           formatNumber(correlation, 4) + "): neither is well determined by itself" + suffix);
     }
   }
-  return errors;
+  return result;
+}
+
+/// Adds the covariance of another group of channels, 0 between it and those before.
+void append(FitCovariance& covariance, const std::vector<std::size_t>& parameters, const std::vector<double>& block) {
+  const std::size_t before = covariance.parameters.size(), added = parameters.size(), n = before + added;
+  std::vector<double> matrix(n * n, 0.0);
+  for (std::size_t i = 0; i < before; ++i)
+    for (std::size_t j = 0; j < before; ++j) matrix[i * n + j] = covariance.matrix[i * before + j];
+  for (std::size_t i = 0; i < added; ++i)
+    for (std::size_t j = 0; j < added; ++j) matrix[(before + i) * n + before + j] = block[i * added + j];
+  covariance.parameters.insert(covariance.parameters.end(), parameters.begin(), parameters.end());
+  covariance.matrix = std::move(matrix);
 }
 
 }  // namespace
@@ -144,14 +164,19 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
     if (free[k] && !(equations.matrix[k * x.size() + k] > 0))
       addNote(report, names.full(k) + " has no influence on these data" + suffix);
   }
-  const std::vector<double> errors =
-      standardErrors(names, equations, free, data.samples * channels.count, suffix, report);
+  const Determined determined = determine(names, equations, free, data.samples * channels.count, suffix, report);
+  const std::size_t known = determined.coordinates.size();
+  std::vector<double> errors(x.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < known; ++i)
+    errors[determined.coordinates[i]] = std::sqrt(determined.covariance[i * known + i]);
+  std::vector<std::size_t> place(x.size());  // of each coordinate among the report's parameters
+  std::vector<double> slopes(x.size(), 1.0);
 
   std::size_t nextScale = shapes;
-  std::vector<std::vector<double>> scaleErrors(lobes, std::vector<double>(channels.count, -1));
+  std::vector<std::vector<std::size_t>> scalePlace(lobes, std::vector<std::size_t>(channels.count));
   for (std::size_t c = 0; c < channels.count; ++c)
     for (std::size_t l = 0; l < lobes; ++l)
-      if (!problem.fixedScale(l)) scaleErrors[l][c] = errors[nextScale++];
+      if (!problem.fixedScale(l)) scalePlace[l][c] = nextScale++;
 
   const std::vector<std::vector<double>> values = problem.parameters(shape);
   for (std::size_t l = 0; l < lobes; ++l) {
@@ -168,7 +193,11 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
                              problem.fixedScale(l).has_value(),
                              false};
       fitted.atBound = !fitted.fixed && fitted.value <= 0;
-      if (!fitted.fixed && std::isfinite(scaleErrors[l][c])) fitted.standardError = scaleErrors[l][c];
+      if (!fitted.fixed) {
+        const std::size_t k = scalePlace[l][c];
+        place[k] = report.parameters.size();
+        if (std::isfinite(errors[k])) fitted.standardError = errors[k];
+      }
       report.parameters.push_back(std::move(fitted));
     }
     for (std::size_t p = 0; p < model.parameters().size(); ++p) {
@@ -181,11 +210,35 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
         if (coordinate.lobe != l || std::ranges::find(coordinate.parameters, p) == coordinate.parameters.end())
           continue;
         fitted.atBound = onBound[k];
+        if (coordinate.parameters.front() == p) {
+          place[k] = report.parameters.size();
+          slopes[k] = coordinate.slope(fitted.value);
+        }
         if (std::isfinite(errors[k])) fitted.standardError = errors[k] * coordinate.slope(fitted.value);
       }
       report.parameters.push_back(std::move(fitted));
     }
   }
+
+  std::vector<std::size_t> parameters;
+  std::vector<double> block = determined.covariance;
+  for (std::size_t i = 0; i < known; ++i) {
+    parameters.push_back(place[determined.coordinates[i]]);
+    for (std::size_t j = 0; j < known; ++j)
+      block[i * known + j] *= slopes[determined.coordinates[i]] * slopes[determined.coordinates[j]];
+  }
+  append(report.covariance, parameters, block);
+}
+
+std::vector<double> FitCovariance::correlations() const {
+  const std::size_t n = parameters.size();
+  std::vector<double> result(n * n);
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) {
+      const double product = matrix[i * n + i] * matrix[j * n + j];
+      result[i * n + j] = i == j ? 1 : product > 0 ? matrix[i * n + j] / std::sqrt(product) : 0;
+    }
+  return result;
 }
 
 }  // namespace brdf

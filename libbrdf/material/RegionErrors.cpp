@@ -11,7 +11,6 @@ namespace brdf {
 namespace {
 
 enum Region { kMirror, kRetro, kGrazing, kRest };
-constexpr std::array<const char*, 4> kNames = {"near mirror", "retro", "grazing", "rest"};
 constexpr double kCone = radians(15), kGrazingAngle = radians(75);
 
 double radicalInverse(std::size_t index, std::size_t base) {
@@ -55,6 +54,8 @@ std::optional<DirectionPair> pairOf(Region region, std::size_t index) {
 
 }  // namespace
 
+std::size_t directionRegion(const Direction& wi, const Direction& wo) { return regionOf(wi, wo); }
+
 std::vector<RegionError> regionErrors(const Brdf& a, const Brdf& b, std::size_t count) {
   const std::size_t channels = b.channels().count();
   if (a.channels().count() != channels)
@@ -71,7 +72,7 @@ std::vector<RegionError> regionErrors(const Brdf& a, const Brdf& b, std::size_t 
     a.evaluateParallel(pairs.view(), x.data(), validX.data());
     b.evaluateParallel(pairs.view(), y.data(), validY.data());
     RegionError error;
-    error.region = kNames[region];
+    error.region = kDirectionRegions[region];
     double sum = 0, magnitude = 0;
     for (std::size_t i = 0; i < count; ++i) {
       error.lost += validY[i] && !validX[i];

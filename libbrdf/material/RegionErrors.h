@@ -1,12 +1,20 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/geometry/Directions.h>
 #include <brdf/material/Brdf.h>
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace brdf {
+
+/// The regions of directions that errors are told apart by, as regionErrors() describes them.
+inline constexpr std::array<std::string_view, 4> kDirectionRegions = {"near mirror", "retro", "grazing", "rest"};
+/// Index into them of the region of a pair above the horizon.
+BRDF_EXPORT std::size_t directionRegion(const Direction& wi, const Direction& wo);
 
 /// How far one BRDF is from another in one region of directions.
 struct RegionError {

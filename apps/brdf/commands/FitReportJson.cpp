@@ -5,11 +5,18 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/Metric.h>
+#include <brdf/geometry/Directions.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace brdf::app {
+namespace {
+
+constexpr std::size_t kShownCorrelations = 10, kShownWorst = 3;
+
+}  // namespace
 
 nlohmann::ordered_json fitReportJson(const FitReport& report) {
   using Json = nlohmann::ordered_json;
@@ -25,6 +32,35 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
     entry["fixed"] = p.fixed;
     parameters.push_back(std::move(entry));
   }
+  Json covarianceOf = Json::array(), history = Json::array(), regions = Json::array(), worst = Json::array();
+  for (const std::size_t k : report.covariance.parameters) covarianceOf.push_back(k);
+  for (const FitStep& step : report.history)
+    history.push_back({{"run", step.run}, {"iteration", step.iteration}, {"error", step.error}});
+  for (const RegionResidual& r : report.regions)
+    regions.push_back({{"region", r.region},
+                       {"samples", r.samples},
+                       {"error", r.error},
+                       {"share", r.share},
+                       {"mean_difference", r.meanDifference},
+                       {"relative_mean", r.relativeMean}});
+  for (const WorstSample& sample : report.worst) {
+    const Spherical wi = toSpherical(sample.wi), wo = toSpherical(sample.wo);
+    worst.push_back({{"theta_i", degrees(wi.theta)},
+                     {"phi_i", degrees(wi.phi)},
+                     {"theta_o", degrees(wo.theta)},
+                     {"phi_o", degrees(wo.phi)},
+                     {"channel", sample.channel},
+                     {"target", sample.target},
+                     {"fit", sample.fitted},
+                     {"share", sample.share}});
+  }
+  const auto finite = [](double value) { return std::isfinite(value) ? Json(value) : Json(); };
+  Json validation;
+  if (report.crossValidation)
+    validation = {{"parts", report.crossValidation->partErrors.size()},
+                  {"error", report.crossValidation->error},
+                  {"std_error", report.crossValidation->standardError},
+                  {"part_errors", report.crossValidation->partErrors}};
   return {{"material", report.material->description()},
           {"metric", report.metric},
           {"metric_formula", report.metricFormula},
@@ -48,6 +84,17 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
           {"optimizer", report.optimizer},
           {"strategy", report.strategy},
           {"parameters", std::move(parameters)},
+          {"covariance",
+           {{"parameters", std::move(covarianceOf)},
+            {"matrix", report.covariance.matrix},
+            {"correlations", report.covariance.correlations()}}},
+          {"history", std::move(history)},
+          {"regions", std::move(regions)},
+          {"worst_samples", std::move(worst)},
+          {"degrees", report.degrees},
+          {"aic", finite(report.aic)},
+          {"bic", finite(report.bic)},
+          {"cross_validation", std::move(validation)},
           {"notes", report.notes}};
 }
 
@@ -78,6 +125,52 @@ std::string lobeLabel(const FitReport& report, const FittedParameter& p) {
 
 }  // namespace
 
+namespace {
+
+/// "theta, phi" in degrees.
+std::string angles(const Direction& w) {
+  const Spherical s = toSpherical(w);
+  return formatNumber(degrees(s.theta), 4) + ", " + formatNumber(degrees(s.phi), 4);
+}
+
+/// Correlations of few parameters; more are in the JSON.
+std::string correlationTable(const FitReport& report) {
+  const std::vector<std::size_t>& which = report.covariance.parameters;
+  const std::size_t n = which.size();
+  if (n < 2 || n > kShownCorrelations) return {};
+  const std::vector<double> correlations = report.covariance.correlations();
+  std::vector<std::string> header{"  correlations"};
+  for (std::size_t j = 0; j < n; ++j) header.push_back("(" + std::to_string(j + 1) + ")");
+  TextTable table(header);
+  for (std::size_t i = 0; i < n; ++i) {
+    const FittedParameter& p = report.parameters[which[i]];
+    std::vector<std::string> row{"  (" + std::to_string(i + 1) + ") " + lobeLabel(report, p) + " " + p.name +
+                                 (p.channel ? " " + std::to_string(*p.channel) : "")};
+    for (std::size_t j = 0; j < n; ++j) row.push_back(j > i ? "" : formatNumber(correlations[i * n + j], 3));
+    table.row(row);
+  }
+  return table.text() + "\n\n";
+}
+
+std::string residualTables(const FitReport& report) {
+  if (report.regions.empty()) return {};
+  TextTable regions({"  region", "samples", "error", "share of squares", "mean of f - t", "mean |f - t| / mean |t|"});
+  for (const RegionResidual& r : report.regions)
+    regions.row({"  " + r.region, std::to_string(r.samples), number(r.error), formatNumber(100 * r.share, 3) + " %",
+                 number(r.meanDifference), formatNumber(r.relativeMean, 3)});
+  std::string text = regions.text() + "\n\n";
+  if (report.worst.empty()) return text;
+  TextTable worst({"  worst samples: light", "viewer (theta, phi)", "channel", "target", "fit", "share of squares"});
+  for (std::size_t k = 0; k < std::min(kShownWorst, report.worst.size()); ++k) {
+    const WorstSample& sample = report.worst[k];
+    worst.row({"  " + angles(sample.wi), angles(sample.wo), std::to_string(sample.channel), number(sample.target),
+               number(sample.fitted), formatNumber(100 * sample.share, 3) + " %"});
+  }
+  return text + worst.text() + "\n\n";
+}
+
+}  // namespace
+
 std::string fitReportText(const FitReport& report) {
   std::string text = report.material->description() + "\n\n";
   TextTable table({"  lobe", "parameter", "channel", "value", "std. error", "bounds", ""});
@@ -89,13 +182,19 @@ std::string fitReportText(const FitReport& report) {
                : p.atBound ? "at a bound"
                            : ""});
   text += table.text() + "\n\n" + metricTable(report.metrics, report.zeroModel) + "\n\n";
+  text += correlationTable(report) + residualTables(report);
   std::string constant;
   for (const double value : report.constantModel) constant += (constant.empty() ? "" : ", ") + formatNumber(value, 4);
   text += "  best constant BRDF: " + report.metric + " " + number(report.constantError) + ", at " + constant + " /sr\n";
   text += "  target: " + report.sampling + ", " + std::to_string(report.samples) + " of " +
           std::to_string(report.offered) + " used (theta up to " + formatNumber(report.maximumTheta) +
           " degrees), weights " + report.weights + ", channels " + report.channelNames + "\n";
-  text += "  metric: root mean square of " + report.metricFormula + "\n";
+  text += "  K = " + std::to_string(report.degrees) + ", AIC " + number(report.aic) + ", BIC " + number(report.bic);
+  if (report.crossValidation)
+    text += "; cross-validation in " + std::to_string(report.crossValidation->partErrors.size()) +
+            " parts: " + number(report.crossValidation->error) + " +- " +
+            formatNumber(report.crossValidation->standardError, 2);
+  text += "\n  metric: root mean square of " + report.metricFormula + "\n";
   text += "  " + std::string(report.converged ? "converged" : "not converged") + ": " + report.termination + "\n  " +
           std::to_string(report.samples) + " samples, " + std::to_string(report.channels) + " channels, " +
           report.metric + ", " + report.optimizer + ", " + report.strategy + ", " + std::to_string(report.evaluations) +
