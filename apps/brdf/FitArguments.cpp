@@ -11,6 +11,32 @@
 namespace brdf::app {
 namespace {
 
+constexpr const char* kLobes = "Lambertian + GGX";
+
+/// Applies what `text` says to the candidates that have such parameters; throws when none has.
+void forSome(std::vector<CandidateLobes>& candidates, void (*apply)(std::vector<LobeRequest>&, std::string_view),
+             const std::string& text) {
+  std::size_t refused = 0;
+  for (CandidateLobes& candidate : candidates) {
+    try {
+      apply(candidate.lobes, text);
+    } catch (const Error&) {
+      if (++refused == candidates.size()) throw;
+    }
+  }
+}
+
+/// Starting values of each lobe from the first of its model that was not taken.
+void takeStarts(std::vector<LobeRequest> from, std::vector<LobeRequest>& requests) {
+  for (LobeRequest& request : requests)
+    for (LobeRequest& known : from) {
+      if (!known.model || known.model->name() != request.model->name()) continue;
+      for (const auto& [name, value] : known.start) request.start.try_emplace(name, value);
+      known.model = nullptr;
+      break;
+    }
+}
+
 /// Runs `read`; an error names the option first.
 template <class Read>
 auto fromOption(const char* option, Read read) {
@@ -23,23 +49,14 @@ auto fromOption(const char* option, Read read) {
   }
 }
 
-/// One lobe more at a time, each fit starting from the one before.
-FitReport fitProgressively(const Brdf& target, std::vector<LobeRequest> requests, const FitOptions& options) {
-  FitReport report;
-  for (std::size_t count = 1; count <= requests.size(); ++count) {
-    report = fit(target, {requests.begin(), requests.begin() + static_cast<std::ptrdiff_t>(count)}, options);
-    if (interrupted()) break;
-    for (const FittedParameter& p : report.parameters)
-      if (!p.channel && !p.fixed && p.name != "scale") requests[p.lobeIndex].start[p.name] = p.value;
-  }
-  return report;
-}
-
 }  // namespace
 
 void FitArguments::declare(Arguments& arguments) {
   arguments.option("--lobes", lobes_, "SUM",
-                   "Lobes to fit; parameters written there are starting values [" + lobes_ + "]");
+                   "Lobes to fit; parameters written there are starting values; several times: all are fitted, and "
+                   "the best by cross-validation or BIC is kept [" +
+                       std::string(kLobes) + "]");
+  arguments.option("--from", from_, "FILE", "Continue from this fit: its lobes, or its values for those of --lobes");
   arguments.choice("--optimizer", options_.optimizer, optimizerNames(), "How the shape parameters are searched");
   arguments.option("--metric", options_.metric, "NAME", metricHelp("What is minimised", options_.metric));
   arguments.option("--channels", channels_, "LIST",
@@ -61,6 +78,8 @@ void FitArguments::declare(Arguments& arguments) {
                    "Judge on parts left out, each whole blocks of directions; so many of them, each another fit [0]");
   arguments.option("--fix", fixed_, "NAME=VALUE",
                    "Hold a parameter, in every lobe or as in GGX.ior=1.5; several times");
+  arguments.option("--tie", tied_, "NAME=NAME",
+                   "Keep two parameters of a lobe equal, as in ay=ax or Ward.ay=ax; several times");
 }
 
 void FitArguments::resolve() {
@@ -73,20 +92,42 @@ void FitArguments::resolve() {
                                                : Strategy::Automatic;
   options_.combination = combination_ == "shared" ? Combination::Shared : Combination::PerChannel;
   checkMetric(options_.metric);
-  requests_ = fromOption("--lobes", [&] { return parseLobeRequests(lobes_); });
-  for (const std::string& text : fixed_) fromOption("--fix", [&] { holdParameter(requests_, text); });
+  candidates_.clear();
+  std::vector<LobeRequest> from;
+  if (!from_.empty())
+    from = fromOption("--from", [&] {
+      const auto sum = std::dynamic_pointer_cast<const LobeSum>(loadMaterial(from_).brdf);
+      if (!sum) throw Error(Error::Kind::Value, {"not a sum of lobes", "", from_, "a fit, or a material expression"});
+      return requestsFrom(*sum);
+    });
+  std::vector<std::string> texts = lobes_;
+  if (texts.empty() && from.empty()) texts.push_back(kLobes);
+  for (const std::string& text : texts)
+    candidates_.push_back({text, fromOption("--lobes", [&] { return parseLobeRequests(text); })});
+  if (texts.empty()) candidates_.push_back({from_, from});
+  if (progressive_ && candidates_.size() > 1)
+    throw Error(Error::Kind::Usage, {"one sum of lobes is fitted progressively", "--progressive",
+                                     std::to_string(candidates_.size()) + " times --lobes", "--lobes once"});
+  if (!texts.empty())
+    for (CandidateLobes& candidate : candidates_) takeStarts(from, candidate.lobes);
+  for (const std::string& text : tied_) fromOption("--tie", [&] { forSome(candidates_, tieParameter, text); });
+  for (const std::string& text : fixed_) fromOption("--fix", [&] { forSome(candidates_, holdParameter, text); });
+  if (!from.empty()) options_.scan = false;
 }
 
 FitReport FitArguments::run(const Brdf& target, std::function<bool(std::size_t, double)> progress) const {
   FitOptions options = options_;
   options.progress = std::move(progress);
-  return progressive_ ? fitProgressively(target, requests_, options) : fit(target, requests_, options);
+  return progressive_ ? fitProgressively(target, candidates_.front().lobes, options)
+                      : fitBest(target, candidates_, options);
 }
 
 std::string FitArguments::words() const {
-  return "fit --lobes \"" + lobes_ + "\" --metric " + options_.metric + " --optimizer " + options_.optimizer +
-         " --channels " + channels_ + " --combination " + combination_ + " --max-theta " +
-         formatNumber(options_.maximumTheta) + " " + samples_.words();
+  std::string lobes;
+  for (const CandidateLobes& candidate : candidates_) lobes += " --lobes \"" + candidate.name + "\"";
+  return "fit" + lobes + " --metric " + options_.metric + " --optimizer " + options_.optimizer + " --channels " +
+         channels_ + " --combination " + combination_ + " --max-theta " + formatNumber(options_.maximumTheta) + " " +
+         samples_.words();
 }
 
 std::string FitArguments::modelDefinitions() const {

@@ -3,6 +3,7 @@
 
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/LobeRequests.h>
+#include <brdf/fit/ModelChoice.h>
 #include <brdf/io/LoadMaterial.h>
 
 #include <string>
@@ -35,13 +36,14 @@ class FitArguments {
   std::string modelDefinitions() const;
 
  private:
-  std::string lobes_ = "Lambertian + GGX", channels_ = "spectral", strategy_ = "automatic", combination_ = "shared";
-  std::vector<std::string> fixed_;
+  std::vector<std::string> lobes_;  ///< none: Lambertian + GGX, or those of from_
+  std::string from_, channels_ = "spectral", strategy_ = "automatic", combination_ = "shared";
+  std::vector<std::string> fixed_, tied_;
   bool progressive_ = false, noScan_ = false;
   std::size_t seed_ = 1;
   SampleArguments samples_;
   FitOptions options_;
-  std::vector<LobeRequest> requests_;
+  std::vector<CandidateLobes> candidates_;
 };
 
 /// The material that `spec` means. Throws what loadMaterial throws.

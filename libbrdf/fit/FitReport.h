@@ -66,6 +66,16 @@ struct CrossValidation {
   std::vector<double> partErrors;  ///< of each part
 };
 
+/// Another fit made on the way: a stage of a progressive one, or lobes to choose among (fit/ModelChoice.h).
+struct FitCandidate {
+  std::string lobes;        ///< as they were asked for
+  double error = 0;         ///< in the metric asked for
+  std::size_t degrees = 0;  ///< as FitReport::degrees, aic, bic
+  double aic = 0, bic = 0;
+  std::optional<double> crossValidation;  ///< its error
+  bool converged = false;
+};
+
 struct FitReport {
   std::shared_ptr<const LobeSum> material;  ///< the fit
   std::string metric;
@@ -103,7 +113,8 @@ struct FitReport {
   /// one target by one metric. Minus infinity for an exact fit.
   double aic = 0, bic = 0;
   std::optional<CrossValidation> crossValidation;
-  std::vector<std::string> notes;  ///< what a user should know: rank deficiency, parameters at bounds, weak lobes
+  std::vector<FitCandidate> candidates;  ///< empty for one fit alone; this one is among them
+  std::vector<std::string> notes;        ///< what a user should know: rank deficiency, parameters at bounds, weak lobes
 };
 
 }  // namespace brdf

@@ -59,4 +59,56 @@ void holdParameter(std::vector<LobeRequest>& requests, std::string_view text) {
                 {"no lobe has such a parameter", "parameter to hold", std::string(text), joined(known)});
 }
 
+void tieParameter(std::vector<LobeRequest>& requests, std::string_view text) {
+  const std::size_t equals = text.find('=');
+  const auto parts = [&](std::string_view side) {
+    side = trimmed(side);
+    const std::size_t dot = side.find('.');
+    return dot == std::string_view::npos
+               ? std::pair(std::string(), std::string(side))
+               : std::pair(std::string(side.substr(0, dot)), std::string(side.substr(dot + 1)));
+  };
+  const auto [model, name] = parts(text.substr(0, equals));
+  const auto [otherModel, leader] =
+      equals == std::string_view::npos ? std::pair<std::string, std::string>() : parts(text.substr(equals + 1));
+  if (name.empty() || leader.empty())
+    throw Error(Error::Kind::Usage,
+                {"malformed tie", "parameters to tie", std::string(text), "name=name, say ay=ax or Ward.ay=ax"});
+  if (!otherModel.empty() && otherModel != model)
+    throw Error(Error::Kind::Value, {"parameters of two lobes cannot be tied", "parameters to tie", std::string(text),
+                                     "two parameters of one lobe"});
+  bool found = false;
+  std::vector<std::string> known;
+  for (LobeRequest& request : requests) {
+    const auto has = [&](const std::string& wanted) {
+      for (const Parameter& parameter : request.model->parameters())
+        if (parameter.name == wanted) return true;
+      return false;
+    };
+    for (const Parameter& parameter : request.model->parameters())
+      known.push_back(request.model->name() + "." + parameter.name);
+    if ((!model.empty() && model != request.model->name()) || !has(name) || !has(leader)) continue;
+    request.tied[name] = leader;
+    found = true;
+  }
+  if (!found)
+    throw Error(Error::Kind::Value,
+                {"no lobe has both parameters", "parameters to tie", std::string(text), joined(known)});
+}
+
+std::vector<LobeRequest> requestsFrom(const LobeSum& material) {
+  std::vector<LobeRequest> requests;
+  for (const Lobe& lobe : material.lobes()) {
+    LobeRequest request;
+    request.model = lobe.model;
+    for (std::size_t k = 0; k < lobe.parameters.size(); ++k) {
+      double sum = 0;
+      for (const double value : lobe.parameters[k]) sum += value;
+      request.start[lobe.model->parameters()[k].name] = sum / static_cast<double>(lobe.parameters[k].size());
+    }
+    requests.push_back(std::move(request));
+  }
+  return requests;
+}
+
 }  // namespace brdf

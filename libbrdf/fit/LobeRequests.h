@@ -18,4 +18,13 @@ BRDF_EXPORT std::vector<LobeRequest> parseLobeRequests(std::string_view text);
 /// has the parameter or the value is out of its bounds.
 BRDF_EXPORT void holdParameter(std::vector<LobeRequest>& requests, std::string_view text);
 
+/// Keeps two parameters of a lobe equal: "name=leader" in every lobe that has both, "Lobe.name=leader" or
+/// "Lobe.name=Lobe.leader" in the lobes of that model. Throws Error::Kind::Usage for another form, Error::Kind::Value
+/// when no lobe has both, and for parameters of two lobes: their derivatives are taken lobe by lobe.
+BRDF_EXPORT void tieParameter(std::vector<LobeRequest>& requests, std::string_view text);
+
+/// Requests that start where a material is: its lobes, with their parameters as starting values (of a parameter that
+/// differs between channels the mean).
+BRDF_EXPORT std::vector<LobeRequest> requestsFrom(const LobeSum& material);
+
 }  // namespace brdf

@@ -77,6 +77,114 @@ std::vector<FittedParameter> restoreParameters(const h5::Group& group) {
   return parameters;
 }
 
+void storeDiagnostics(const h5::Group& group, const FitReport& report) {
+  const auto integers = [](const auto& list, auto field) {
+    std::vector<std::int64_t> result;
+    for (const auto& item : list) result.push_back(static_cast<std::int64_t>(item.*field));
+    return result;
+  };
+  const auto numbers = [](const auto& list, auto field) {
+    std::vector<double> result;
+    for (const auto& item : list) result.push_back(item.*field);
+    return result;
+  };
+  group.setInteger("Degrees", static_cast<std::int64_t>(report.degrees));
+  group.setNumber("AIC", report.aic);
+  group.setNumber("BIC", report.bic);
+  const h5::Group covariance = group.createGroup("Covariance");
+  const std::vector<std::int64_t> which(report.covariance.parameters.begin(), report.covariance.parameters.end());
+  covariance.setIntegers("Parameters", which);
+  covariance.setNumbers("Matrix", report.covariance.matrix);
+  const h5::Group history = group.createGroup("History");
+  history.setIntegers("Run", integers(report.history, &FitStep::run));
+  history.setIntegers("Iteration", integers(report.history, &FitStep::iteration));
+  history.setNumbers("Error", numbers(report.history, &FitStep::error));
+  const h5::Group regions = group.createGroup("Regions");
+  std::vector<std::string> names;
+  for (const RegionResidual& region : report.regions) names.push_back(region.region);
+  regions.setTexts("Region", names);
+  regions.setIntegers("Samples", integers(report.regions, &RegionResidual::samples));
+  regions.setNumbers("Error", numbers(report.regions, &RegionResidual::error));
+  regions.setNumbers("Share", numbers(report.regions, &RegionResidual::share));
+  regions.setNumbers("MeanDifference", numbers(report.regions, &RegionResidual::meanDifference));
+  regions.setNumbers("RelativeMean", numbers(report.regions, &RegionResidual::relativeMean));
+  const h5::Group worst = group.createGroup("WorstSamples");
+  std::vector<double> directions;
+  for (const WorstSample& sample : report.worst) {
+    directions.insert(directions.end(), sample.wi.begin(), sample.wi.end());
+    directions.insert(directions.end(), sample.wo.begin(), sample.wo.end());
+  }
+  worst.setNumbers("Directions", directions);
+  worst.setIntegers("Channel", integers(report.worst, &WorstSample::channel));
+  worst.setNumbers("Target", numbers(report.worst, &WorstSample::target));
+  worst.setNumbers("Fitted", numbers(report.worst, &WorstSample::fitted));
+  worst.setNumbers("Share", numbers(report.worst, &WorstSample::share));
+  if (!report.crossValidation) return;
+  const h5::Group validation = group.createGroup("CrossValidation");
+  validation.setNumber("Error", report.crossValidation->error);
+  validation.setNumber("StandardError", report.crossValidation->standardError);
+  validation.setNumbers("PartErrors", report.crossValidation->partErrors);
+}
+
+/// Column `name` of a group, as long as the others.
+std::vector<double> column(const h5::Group& group, const char* name, std::size_t count) {
+  std::vector<double> list = group.numbers(name);
+  if (list.size() != count)
+    throw Error(Error::Kind::Format, {"columns differ in length", group.where() + "/" + name,
+                                      std::to_string(list.size()), std::to_string(count)});
+  return list;
+}
+
+void restoreDiagnostics(const h5::Group& group, FitReport& report) {
+  report.degrees = static_cast<std::size_t>(group.integer("Degrees"));
+  report.aic = group.number("AIC");
+  report.bic = group.number("BIC");
+  const h5::Group covariance = group.group("Covariance");
+  report.covariance.matrix = covariance.numbers("Matrix");
+  const auto side =
+      static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(report.covariance.matrix.size()))));
+  column(covariance, "Matrix", side * side);
+  for (const std::int64_t index : covariance.integers("Parameters", side)) {
+    if (index < 0 || static_cast<std::size_t>(index) >= report.parameters.size())
+      throw Error(Error::Kind::Format, {"no such parameter", covariance.where(), std::to_string(index),
+                                        "0 to " + std::to_string(report.parameters.size() - 1)});
+    report.covariance.parameters.push_back(static_cast<std::size_t>(index));
+  }
+  const h5::Group history = group.group("History");
+  const std::vector<double> errors = history.numbers("Error");
+  const auto runs = history.integers("Run", errors.size()), iterations = history.integers("Iteration", errors.size());
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    report.history.push_back({static_cast<std::size_t>(runs[i]), static_cast<std::size_t>(iterations[i]), errors[i]});
+  const h5::Group regions = group.group("Regions");
+  const std::vector<std::string> names = regions.texts("Region");
+  const std::size_t count = names.size();
+  const auto samples = regions.integers("Samples", count);
+  const auto regionErrors = column(regions, "Error", count), share = column(regions, "Share", count),
+             difference = column(regions, "MeanDifference", count), relative = column(regions, "RelativeMean", count);
+  for (std::size_t i = 0; i < count; ++i)
+    report.regions.push_back(
+        {names[i], static_cast<std::size_t>(samples[i]), regionErrors[i], share[i], difference[i], relative[i]});
+  const h5::Group worst = group.group("WorstSamples");
+  const std::vector<double> targets = worst.numbers("Target");
+  const std::size_t n = targets.size();
+  const auto directions = column(worst, "Directions", 6 * n), fitted = column(worst, "Fitted", n),
+             shares = column(worst, "Share", n);
+  const auto channels = worst.integers("Channel", n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double* d = directions.data() + 6 * i;
+    report.worst.push_back({{d[0], d[1], d[2]},
+                            {d[3], d[4], d[5]},
+                            static_cast<std::size_t>(channels[i]),
+                            targets[i],
+                            fitted[i],
+                            shares[i]});
+  }
+  if (!group.hasObject("CrossValidation")) return;
+  const h5::Group validation = group.group("CrossValidation");
+  report.crossValidation =
+      CrossValidation{validation.number("Error"), validation.number("StandardError"), validation.numbers("PartErrors")};
+}
+
 }  // namespace
 
 void storeFit(const h5::Group& entry, const FitReport& report) {
@@ -105,6 +213,7 @@ void storeFit(const h5::Group& entry, const FitReport& report) {
   storeNumbers(group.createGroup("Metrics"), report.metrics);
   storeNumbers(group.createGroup("ZeroModel"), report.zeroModel);
   storeParameters(group.createGroup("Parameters"), report.parameters);
+  storeDiagnostics(group, report);
 }
 
 FitReport loadFit(const Container& container, std::size_t index) {
@@ -140,6 +249,7 @@ FitReport loadFit(const Container& container, std::size_t index) {
   report.metrics = restoreNumbers(group.group("Metrics"));
   report.zeroModel = restoreNumbers(group.group("ZeroModel"));
   report.parameters = restoreParameters(group.group("Parameters"));
+  restoreDiagnostics(group, report);
   return report;
 }
 

@@ -21,10 +21,13 @@ LobeRequest lobe(const std::string& name) { return {findModel(name), {}, {}, {}}
 /// What a Lambertian alone leaves of a glossy target.
 struct Glossy {
   ScatteredBrdf target = syntheticTarget("0.3*Lambertian + 0.2*GGX(alpha=0.3, ior=1.5)", 400, 1e-3);
-  std::vector<double> values = std::vector<double>(400);
+  std::vector<double> values;
   DirectionPairBuffer<double> pairs;
   FitReport report = fit(target, {lobe("Lambertian")}, {});
-  Glossy() { target.samples()->read(0, 400, &pairs, values.data(), nullptr); }
+  Glossy() {
+    values.resize(400);
+    target.samples()->read(0, 400, &pairs, values.data(), nullptr);
+  }
   double residual(std::size_t i) const { return report.parameters[0].value / kPi - values[i]; }
 };
 

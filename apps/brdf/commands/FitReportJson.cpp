@@ -61,6 +61,15 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
                   {"error", report.crossValidation->error},
                   {"std_error", report.crossValidation->standardError},
                   {"part_errors", report.crossValidation->partErrors}};
+  Json candidates = Json::array();
+  for (const FitCandidate& candidate : report.candidates)
+    candidates.push_back({{"lobes", candidate.lobes},
+                          {"error", candidate.error},
+                          {"degrees", candidate.degrees},
+                          {"aic", finite(candidate.aic)},
+                          {"bic", finite(candidate.bic)},
+                          {"cross_validation", candidate.crossValidation ? Json(*candidate.crossValidation) : Json()},
+                          {"converged", candidate.converged}});
   return {{"material", report.material->description()},
           {"metric", report.metric},
           {"metric_formula", report.metricFormula},
@@ -95,6 +104,7 @@ nlohmann::ordered_json fitReportJson(const FitReport& report) {
           {"aic", finite(report.aic)},
           {"bic", finite(report.bic)},
           {"cross_validation", std::move(validation)},
+          {"candidates", std::move(candidates)},
           {"notes", report.notes}};
 }
 
@@ -152,6 +162,15 @@ std::string correlationTable(const FitReport& report) {
   return table.text() + "\n\n";
 }
 
+std::string candidateTable(const FitReport& report) {
+  if (report.candidates.size() < 2) return {};
+  TextTable table({"  lobes", report.metric, "K", "AIC", "BIC", "cross-validation", ""});
+  for (const FitCandidate& c : report.candidates)
+    table.row({"  " + c.lobes, number(c.error), std::to_string(c.degrees), number(c.aic), number(c.bic),
+               c.crossValidation ? number(*c.crossValidation) : "-", c.converged ? "" : "not converged"});
+  return table.text() + "\n\n";
+}
+
 std::string residualTables(const FitReport& report) {
   if (report.regions.empty()) return {};
   TextTable regions({"  region", "samples", "error", "share of squares", "mean of f - t", "mean |f - t| / mean |t|"});
@@ -182,7 +201,7 @@ std::string fitReportText(const FitReport& report) {
                : p.atBound ? "at a bound"
                            : ""});
   text += table.text() + "\n\n" + metricTable(report.metrics, report.zeroModel) + "\n\n";
-  text += correlationTable(report) + residualTables(report);
+  text += candidateTable(report) + correlationTable(report) + residualTables(report);
   std::string constant;
   for (const double value : report.constantModel) constant += (constant.empty() ? "" : ", ") + formatNumber(value, 4);
   text += "  best constant BRDF: " + report.metric + " " + number(report.constantError) + ", at " + constant + " /sr\n";
