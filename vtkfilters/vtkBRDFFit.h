@@ -9,12 +9,16 @@ class vtkTable;
 
 /**
  * @class vtkBRDFFit
- * @brief Fits a sum of lobes to a measured BRDF
+ * @brief Fits a sum of lobes to a BRDF
  *
- * Input: a vtkBRDF with samples. Output port 0: the fit, a vtkBRDF; its field data has "error", "zeroModelError" (the
- * error of the model that answers 0 everywhere: what a fit has to beat), "samples", "seconds", "converged" and
- * "termination". Output port 1: a vtkTable, one row a fitted number: "lobe", "parameter", "channel" (-1: shared by
- * all), "value", "standardError" (NaN where it is not determined), "minimum", "maximum", "atBound", "fixed".
+ * Input: a vtkBRDF of any kind. Output port 0: the fit, a vtkBRDF; its field data has "error", "zeroModelError" and
+ * "constantModelError" (the errors of the model that answers 0 everywhere and of the best constant: what a fit has to
+ * beat), "metricFormula", "sampling", "samples", "seconds", "converged", "termination", "notes" (one value each),
+ * "degrees", "AIC", "BIC", and "crossValidationError" where it was asked for. Output port 1: a vtkTable, one row a
+ * fitted number: "lobe", "parameter", "channel" (-1: shared by all), "value", "standardError" (NaN where it is not
+ * determined), "minimum", "maximum", "atBound", "fixed". Output port 2: a vtkTable, one row a region of directions:
+ * "region", "samples", "error", "share" (of the squared error), "meanDifference" (1/sr), "relativeMean". What they mean
+ * is in docs/fitting.md.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFFit : public vtkBRDFAlgorithm
 {
@@ -25,6 +29,8 @@ public:
 
   /** The table of fitted numbers. */
   vtkTable* GetParameters();
+  /** The table of residuals by region. */
+  vtkTable* GetRegions();
 
   ///@{
   /** Lobes joined by '+', as in a material expression; parameters given there are starting values. Default
@@ -34,8 +40,8 @@ public:
   ///@}
 
   ///@{
-  /** What is minimised, e.g. "rms" (default), "rms_cos", "log", "cuberoot"; an unknown name is an error that lists
-   * them. */
+  /** What is minimised, e.g. "rms" (default), "rms_cos", "ngan", "relative", "log", "cuberoot", "huber", or one with an
+   * argument, as "formula:cbrt(f*cos_i)"; an unknown name is an error that lists them. */
   vtkSetMacro(Metric, std::string);
   vtkGetMacro(Metric, std::string);
   ///@}
@@ -44,6 +50,52 @@ public:
   /** How the shape parameters are found; default "lm", Levenberg-Marquardt. */
   vtkSetMacro(Optimizer, std::string);
   vtkGetMacro(Optimizer, std::string);
+  ///@}
+
+  ///@{
+  /** Where the target is looked at: "automatic" (default: its own samples where it has any, else "hemisphere"), "all",
+   * "hemisphere" or "importance". */
+  vtkSetMacro(Sampling, std::string);
+  vtkGetMacro(Sampling, std::string);
+  ///@}
+
+  ///@{
+  /** How many pairs of directions for "hemisphere" and "importance"; 0 (default): 221184 and 100000. */
+  vtkSetClampMacro(NumberOfSamples, int, 0, 10000000);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /** Samples count by the solid angle of their cells; default off: all alike. */
+  vtkSetMacro(SolidAngleWeights, bool);
+  vtkGetMacro(SolidAngleWeights, bool);
+  vtkBooleanMacro(SolidAngleWeights, bool);
+  ///@}
+
+  ///@{
+  /** Scale factors by linear least squares inside the search ("separable"), searched with the rest ("joint"), or the
+   * first where the metric allows it ("automatic", default). */
+  vtkSetMacro(Strategy, std::string);
+  vtkGetMacro(Strategy, std::string);
+  ///@}
+
+  ///@{
+  /** Parameters to hold and to tie, separated by ';': "ior=1.5; Ward.ay=ax". Default none. */
+  vtkSetMacro(Constraints, std::string);
+  vtkGetMacro(Constraints, std::string);
+  ///@}
+
+  ///@{
+  /** Fits one lobe more at a time; default off. */
+  vtkSetMacro(Progressive, bool);
+  vtkGetMacro(Progressive, bool);
+  vtkBooleanMacro(Progressive, bool);
+  ///@}
+
+  ///@{
+  /** Parts of a cross-validation over blocks of directions, 2 to 100; default 0: none. */
+  vtkSetClampMacro(CrossValidation, int, 0, 100);
+  vtkGetMacro(CrossValidation, int);
   ///@}
 
   ///@{
@@ -92,6 +144,13 @@ private:
   std::string Lobes = "Lambertian + GGX";
   std::string Metric = "rms";
   std::string Optimizer = "lm";
+  std::string Sampling = "automatic";
+  int NumberOfSamples = 0;
+  bool SolidAngleWeights = false;
+  std::string Strategy = "automatic";
+  std::string Constraints;
+  bool Progressive = false;
+  int CrossValidation = 0;
   std::string Channels = "native";
   bool PerChannel = false;
   double MaximumTheta = 90;

@@ -122,6 +122,12 @@ FitReport FitArguments::run(const Brdf& target, std::function<bool(std::size_t, 
                       : fitBest(target, candidates_, options);
 }
 
+std::string FitArguments::lobes() const {
+  std::string text;
+  for (const CandidateLobes& candidate : candidates_) text += (text.empty() ? "" : " or ") + candidate.name;
+  return text;
+}
+
 std::string FitArguments::words() const {
   std::string lobes;
   for (const CandidateLobes& candidate : candidates_) lobes += " --lobes \"" + candidate.name + "\"";
@@ -132,15 +138,16 @@ std::string FitArguments::words() const {
 
 std::string FitArguments::modelDefinitions() const {
   std::string text;
-  for (const LobeRequest& request : requests_) {
-    text += request.model->name() + "\n" + request.model->equation() + "\n";
-    for (const Parameter& p : request.model->parameters()) {
-      text += p.name + " " + p.follows + (p.scale == Parameter::Scale::Logarithmic ? " log" : " linear");
-      for (const double number : {p.defaultValue, p.minimum, p.maximum, p.softMinimum, p.softMaximum})
-        text += " " + formatNumber(number);
-      text += "\n";
+  for (const CandidateLobes& candidate : candidates_)
+    for (const LobeRequest& request : candidate.lobes) {
+      text += request.model->name() + "\n" + request.model->equation() + "\n";
+      for (const Parameter& p : request.model->parameters()) {
+        text += p.name + " " + p.follows + (p.scale == Parameter::Scale::Logarithmic ? " log" : " linear");
+        for (const double number : {p.defaultValue, p.minimum, p.maximum, p.softMinimum, p.softMaximum})
+          text += " " + formatNumber(number);
+        text += "\n";
+      }
     }
-  }
   return text;
 }
 

@@ -29,7 +29,8 @@ class FitArguments {
   /// The options as they would be typed, for the record.
   std::string words() const;
 
-  const std::string& lobes() const { return lobes_; }
+  /// What is fitted; sums to choose among with " or " between them.
+  std::string lobes() const;
   const std::string& optimizer() const { return options_.optimizer; }
   const std::string& metric() const { return options_.metric; }
   /// The definitions of the models to fit, as text: another text is another model, whatever its name.

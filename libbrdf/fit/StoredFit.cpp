@@ -135,6 +135,11 @@ std::vector<double> column(const h5::Group& group, const char* name, std::size_t
   return list;
 }
 
+/// The same for whole numbers; an empty list is not written.
+std::vector<std::int64_t> wholes(const h5::Group& group, const char* name, std::size_t count) {
+  return count > 0 ? group.integers(name, count) : std::vector<std::int64_t>();
+}
+
 void restoreDiagnostics(const h5::Group& group, FitReport& report) {
   report.degrees = static_cast<std::size_t>(group.integer("Degrees"));
   report.aic = group.number("AIC");
@@ -144,7 +149,7 @@ void restoreDiagnostics(const h5::Group& group, FitReport& report) {
   const auto side =
       static_cast<std::size_t>(std::llround(std::sqrt(static_cast<double>(report.covariance.matrix.size()))));
   column(covariance, "Matrix", side * side);
-  for (const std::int64_t index : covariance.integers("Parameters", side)) {
+  for (const std::int64_t index : wholes(covariance, "Parameters", side)) {
     if (index < 0 || static_cast<std::size_t>(index) >= report.parameters.size())
       throw Error(Error::Kind::Format, {"no such parameter", covariance.where(), std::to_string(index),
                                         "0 to " + std::to_string(report.parameters.size() - 1)});
@@ -152,13 +157,13 @@ void restoreDiagnostics(const h5::Group& group, FitReport& report) {
   }
   const h5::Group history = group.group("History");
   const std::vector<double> errors = history.numbers("Error");
-  const auto runs = history.integers("Run", errors.size()), iterations = history.integers("Iteration", errors.size());
+  const auto runs = wholes(history, "Run", errors.size()), iterations = wholes(history, "Iteration", errors.size());
   for (std::size_t i = 0; i < errors.size(); ++i)
     report.history.push_back({static_cast<std::size_t>(runs[i]), static_cast<std::size_t>(iterations[i]), errors[i]});
   const h5::Group regions = group.group("Regions");
   const std::vector<std::string> names = regions.texts("Region");
   const std::size_t count = names.size();
-  const auto samples = regions.integers("Samples", count);
+  const auto samples = wholes(regions, "Samples", count);
   const auto regionErrors = column(regions, "Error", count), share = column(regions, "Share", count),
              difference = column(regions, "MeanDifference", count), relative = column(regions, "RelativeMean", count);
   for (std::size_t i = 0; i < count; ++i)
@@ -169,7 +174,7 @@ void restoreDiagnostics(const h5::Group& group, FitReport& report) {
   const std::size_t n = targets.size();
   const auto directions = column(worst, "Directions", 6 * n), fitted = column(worst, "Fitted", n),
              shares = column(worst, "Share", n);
-  const auto channels = worst.integers("Channel", n);
+  const auto channels = wholes(worst, "Channel", n);
   for (std::size_t i = 0; i < n; ++i) {
     const double* d = directions.data() + 6 * i;
     report.worst.push_back({{d[0], d[1], d[2]},

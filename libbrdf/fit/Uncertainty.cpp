@@ -164,13 +164,14 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
     if (free[k] && !(equations.matrix[k * x.size() + k] > 0))
       addNote(report, names.full(k) + " has no influence on these data" + suffix);
   }
-  const Determined determined = determine(names, equations, free, data.samples * channels.count, suffix, report);
+  Determined determined = determine(names, equations, free, data.samples * channels.count, suffix, report);
   const std::size_t known = determined.coordinates.size();
   std::vector<double> errors(x.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < known; ++i)
     errors[determined.coordinates[i]] = std::sqrt(determined.covariance[i * known + i]);
   std::vector<std::size_t> place(x.size());  // of each coordinate among the report's parameters
-  std::vector<double> slopes(x.size(), 1.0);
+  std::vector<double> slopes;
+  slopes.assign(x.size(), 1.0);
 
   std::size_t nextScale = shapes;
   std::vector<std::vector<std::size_t>> scalePlace(lobes, std::vector<std::size_t>(channels.count));
@@ -221,13 +222,12 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
   }
 
   std::vector<std::size_t> parameters;
-  std::vector<double> block = determined.covariance;
   for (std::size_t i = 0; i < known; ++i) {
     parameters.push_back(place[determined.coordinates[i]]);
     for (std::size_t j = 0; j < known; ++j)
-      block[i * known + j] *= slopes[determined.coordinates[i]] * slopes[determined.coordinates[j]];
+      determined.covariance[i * known + j] *= slopes[determined.coordinates[i]] * slopes[determined.coordinates[j]];
   }
-  append(report.covariance, parameters, block);
+  append(report.covariance, parameters, determined.covariance);
 }
 
 std::vector<double> FitCovariance::correlations() const {

@@ -111,6 +111,22 @@ TEST(Report, AFormulaIsFittedWhereAskedAndTheReportSaysWhere) {
   EXPECT_EQ(fit["constant_model"]["values"].size(), 1u);
 }
 
+TEST(Report, OfSeveralLobesTheBestIsKeptAndAFitGoesOnFromIt) {
+  const auto folder = scratchFolder();
+  const json fit =
+      reportOf(folder, {"fit", kTruth, "--samples", "2000", "--max-theta", "80", "--lobes", "Lambertian", "--lobes",
+                        "Lambertian + GGX", "--fix", "ior=1.5", "--cross-validate", "3", "--out", "fit.vtkhdf"});
+  ASSERT_EQ(fit["candidates"].size(), 2u);
+  EXPECT_EQ(fit["candidates"][0]["lobes"], "Lambertian + GGX");
+  EXPECT_LT(fit["cross_validation"]["error"].get<double>(), 1e-6);
+  EXPECT_EQ(fit["regions"].size(), 4u);
+  EXPECT_EQ(fit["covariance"]["parameters"].size(), 3u);
+  const json again = reportOf(folder, {"fit", kTruth, "--samples", "2000", "--max-theta", "80", "--from", "fit.vtkhdf",
+                                       "--fix", "ior=1.5", "--tie", "alpha_y=alpha"});
+  EXPECT_LT(again["error"].get<double>(), 1e-6);
+  EXPECT_LT(again["evaluations"], fit["evaluations"]);
+}
+
 TEST(Report, CompareIsZeroForTheSameMaterialAndTheZeroModelIsNot) {
   const json report = reportOf(scratchFolder(), {"compare", kTruth, kTruth});
   for (const char* metric : {"rms", "rms_cos", "log", "cuberoot"}) {

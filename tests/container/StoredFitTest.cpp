@@ -1,6 +1,8 @@
 #include <brdf/fit/StoredFit.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "Samples.h"
 
 using samples::errorOf;
@@ -26,6 +28,23 @@ TEST(StoredFit, AReportComesBackWithItsMaterial) {
   written.parameters.resize(2);
   written.parameters[0] = {"scale", "Lambertian", 0, 2, 0.05, 1e-4, 0, 1e9, false, false};
   written.parameters[1] = {"alpha", "GGX", 1, std::nullopt, 0.2, std::nullopt, 1e-4, 1, true, true};
+
+  written.metricFormula = "f - t";
+  written.sampling = "all";
+  written.weights = "none";
+  written.channelNames = "rgb";
+  written.maximumTheta = 75;
+  written.offered = 2000;
+  written.constantModel = {0.1, 0.2, 0.3};
+  written.constantError = 0.5;
+  written.covariance = {{0, 1}, {1, 0.5, 0.5, 2}};
+  written.history = {{0, 1, 0.5}, {1, 7, 0.25}};
+  written.regions = {{"retro", 20, 0.1, 0.75, -0.02, 0.3}};
+  written.worst = {{{0, 0.6, 0.8}, {0.6, 0, 0.8}, 2, 1.5, 1.25, 0.125}};
+  written.degrees = 8;
+  written.aic = -120;
+  written.bic = -100;
+  written.crossValidation = brdf::CrossValidation{0.3, 0.01, {0.2, 0.4}};
 
   const auto path = freshFolder("fit") / "a.vtkhdf";
   brdf::ContainerWriter writer(path);
@@ -54,6 +73,36 @@ TEST(StoredFit, AReportComesBackWithItsMaterial) {
   EXPECT_EQ(read.converged, written.converged);
   EXPECT_EQ(read.termination, written.termination);
   EXPECT_EQ(read.notes, written.notes);
+  EXPECT_EQ(read.metricFormula, written.metricFormula);
+  EXPECT_EQ(read.sampling, written.sampling);
+  EXPECT_EQ(read.weights, written.weights);
+  EXPECT_EQ(read.channelNames, written.channelNames);
+  EXPECT_EQ(read.maximumTheta, written.maximumTheta);
+  EXPECT_EQ(read.offered, written.offered);
+  EXPECT_EQ(read.constantModel, written.constantModel);
+  EXPECT_EQ(read.constantError, written.constantError);
+  EXPECT_EQ(read.covariance.parameters, written.covariance.parameters);
+  EXPECT_EQ(read.covariance.matrix, written.covariance.matrix);
+  EXPECT_NEAR(read.covariance.correlations()[1], 0.5 / std::sqrt(2), 1e-15);
+  ASSERT_EQ(read.history.size(), 2u);
+  EXPECT_EQ(read.history[1].run, 1u);
+  EXPECT_EQ(read.history[1].iteration, 7u);
+  EXPECT_EQ(read.history[1].error, 0.25);
+  ASSERT_EQ(read.regions.size(), 1u);
+  EXPECT_EQ(read.regions[0].region, "retro");
+  EXPECT_EQ(read.regions[0].samples, 20u);
+  EXPECT_EQ(read.regions[0].share, 0.75);
+  EXPECT_EQ(read.regions[0].meanDifference, -0.02);
+  ASSERT_EQ(read.worst.size(), 1u);
+  EXPECT_EQ(read.worst[0].wi, written.worst[0].wi);
+  EXPECT_EQ(read.worst[0].wo, written.worst[0].wo);
+  EXPECT_EQ(read.worst[0].channel, 2u);
+  EXPECT_EQ(read.worst[0].fitted, 1.25);
+  EXPECT_EQ(read.degrees, 8u);
+  EXPECT_EQ(read.aic, -120);
+  EXPECT_EQ(read.bic, -100);
+  ASSERT_TRUE(read.crossValidation.has_value());
+  EXPECT_EQ(read.crossValidation->partErrors, written.crossValidation->partErrors);
   ASSERT_EQ(read.parameters.size(), written.parameters.size());
   for (std::size_t i = 0; i < read.parameters.size(); ++i) {
     const brdf::FittedParameter &a = read.parameters[i], &b = written.parameters[i];

@@ -142,6 +142,20 @@ class Pipeline(unittest.TestCase):
             value = vtk_to_numpy(points.GetArray("value"))[:, 1].reshape(90, 90, 180)
             self.assertAlmostEqual(value[12, 25, 50], 0.25 / math.pi, places=12)
 
+    def test_fit_of_a_formula(self):
+        truth = source("0.3*Lambertian + 0.5*GGX(alpha=0.3, ior=1.5)")
+        fit = brdflab.vtkBRDFFit()
+        fit.SetInputConnection(truth.GetOutputPort())
+        fit.SetSampling("hemisphere")
+        fit.SetNumberOfSamples(2000)
+        fit.SetMetric("formula:cbrt(f*cos_i)")
+        fit.SetConstraints("ior=1.5")
+        fit.Update()
+        self.assertEqual(fit.GetErrorText(), "")
+        fields = fit.GetOutput().GetFieldData()
+        self.assertLess(fields.GetArray("error").GetValue(0), 1e-6)
+        self.assertEqual(fit.GetRegions().GetNumberOfRows(), 4)
+
     def test_fit_of_measured_data(self):
         path = os.path.join(os.environ.get("BRDF_SHARED_DIR", ""), "data/measured/garnet_red.brdf")
         if not os.path.exists(path):

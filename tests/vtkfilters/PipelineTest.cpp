@@ -143,6 +143,10 @@ TEST(Pipeline, EveryKindOfBadInputIsAnErrorAndNothingElse) {
   vtkNew<vtkBRDFSource> source;
   vtkNew<vtkBRDFFit> fit;
   fit->SetInputConnection(source->GetOutputPort());
+  fit->SetSampling("all");
+  fit->Update();  // a formula has no samples of its own
+  EXPECT_NE(fit->GetErrorText().find("no samples of its own"), std::string::npos);
+  fit->SetSampling("automatic");
   fit->SetLobes("Nonsense");
   fit->Update();
   EXPECT_NE(fit->GetErrorText().find("Nonsense"), std::string::npos) << fit->GetErrorText();
@@ -155,6 +159,29 @@ TEST(Pipeline, EveryKindOfBadInputIsAnErrorAndNothingElse) {
   EXPECT_FALSE(empty->Evaluate(one, one, one));
   const double up[3] = {0, 0, 1};
   EXPECT_EQ(empty->Evaluate(up, up), 0);
+}
+
+TEST(Pipeline, AFitTakesTheOptionsOfTheCommandLine) {
+  vtkNew<vtkBRDFSource> source;
+  source->SetMaterial("0.3*Lambertian + 0.5*GGX(alpha=0.3, ior=1.5)");
+  vtkNew<vtkBRDFFit> fit;
+  fit->SetInputConnection(source->GetOutputPort());
+  fit->SetSampling("importance");
+  fit->SetNumberOfSamples(3000);
+  fit->SetMaximumTheta(80);
+  fit->SetMetric("ngan");
+  fit->SetConstraints("ior=1.5; GGX.alpha_y=alpha");
+  fit->SetProgressive(true);
+  fit->SetCrossValidation(3);
+  fit->Update();
+  ASSERT_EQ(fit->GetErrorText(), "");
+  vtkFieldData* fields = fit->GetOutput()->GetFieldData();
+  EXPECT_LT(fields->GetArray("error")->GetTuple1(0), 1e-6);
+  EXPECT_LT(fields->GetArray("crossValidationError")->GetTuple1(0), 1e-6);
+  EXPECT_EQ(fields->GetArray("degrees")->GetTuple1(0), 4);  // two scales, alpha and the variance
+  fit->SetStrategy("both");
+  fit->Update();
+  EXPECT_NE(fit->GetErrorText().find("automatic, separable, joint"), std::string::npos);
 }
 
 TEST(Pipeline, LambertianLobeHasTheRadiusOfItsValue) {
@@ -325,6 +352,9 @@ TEST(Pipeline, FitFindsTheParametersThatMadeItsTarget) {
   ASSERT_EQ(fit->GetErrorText(), "");
   vtkFieldData* fields = fit->GetOutput()->GetFieldData();
   EXPECT_LT(fields->GetArray("error")->GetTuple1(0), 1e-6 * fields->GetArray("zeroModelError")->GetTuple1(0));
+  EXPECT_GT(fields->GetArray("constantModelError")->GetTuple1(0), fields->GetArray("error")->GetTuple1(0));
+  ASSERT_EQ(fit->GetRegions()->GetNumberOfRows(), 4);
+  EXPECT_EQ(fit->GetRegions()->GetValueByName(0, "region").ToString(), "near mirror");
   vtkTable* table = fit->GetParameters();
   bool found = false;
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
