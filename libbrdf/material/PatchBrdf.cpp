@@ -31,8 +31,7 @@ class PatchBrdf::Pairs : public SampleSet {
   bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
     const std::size_t lights = data_.incident.count();
     for (std::size_t i = 0; i < length; ++i)
-      measures[i] =
-          data_.incident.solidAngle((first + i) % lights) * data_.outgoing.solidAngle((first + i) / lights);
+      measures[i] = data_.incident.solidAngle((first + i) % lights) * data_.outgoing.solidAngle((first + i) / lights);
     return true;
   }
 
