@@ -92,7 +92,9 @@ TEST(Report, AFitRecoversTheMaterialItsTableWasMadeOf) {
       alphaSeen = true;
       EXPECT_NEAR(p["value"].get<double>(), 0.25, 1e-6);
     }
-    if (p["name"] == "ior") EXPECT_EQ(p["value"], 1.5);
+    if (p["name"] == "ior") {
+      EXPECT_EQ(p["value"], 1.5);
+    }
   }
   EXPECT_TRUE(alphaSeen);
 

@@ -193,6 +193,7 @@ TEST(PatchAverage, MeansAreTheIntegralsWithinTheErrorStated) {
     Symmetry symmetry() const override { return Symmetry::Isotropic; }
     bool reciprocal() const override { return false; }
     std::string description() const override { return "powers"; }
+    using Brdf::evaluate;
     void evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const override {
       for (std::size_t k = 0; k < pairs.count; ++k) {
         values[k] = 0.1 * (1 + pairs.wo[2][k] * pairs.wo[2][k] * pairs.wi[2][k]);

@@ -41,9 +41,9 @@ void drawAudit(const AuditPicture& request) {
   view->SetChecks(checks);
   if (!request.albedo.degrees.empty()) {
     vtkNew<vtkTable> albedo;
-    const auto add = [&](const std::string& name, const std::vector<double>& values) {
+    const auto add = [&](const std::string& title, const std::vector<double>& values) {
       vtkNew<vtkDoubleArray> array;
-      array->SetName(name.c_str());
+      array->SetName(title.c_str());
       for (const double value : values) array->InsertNextValue(value);
       albedo->AddColumn(array);
     };
