@@ -78,8 +78,9 @@ void FitArguments::declare(Arguments& arguments) {
                    "Judge on parts left out, each whole blocks of directions; so many of them, each another fit [0]");
   arguments.option("--fix", fixed_, "NAME=VALUE",
                    "Hold a parameter, in every lobe or as in GGX.ior=1.5; several times");
-  arguments.option("--tie", tied_, "NAME=NAME",
-                   "Keep two parameters of a lobe equal, as in ay=ax or Ward.ay=ax; several times");
+  arguments.option(
+      "--tie", tied_, "NAME=NAME",
+      "Keep two parameters equal, as in ay=ax, Ward.ay=ax or, of two lobes, GGX#2.ior=GGX#1.ior; several times");
 }
 
 void FitArguments::resolve() {

@@ -83,7 +83,7 @@ SeparableCost::SeparableCost(const FitProblem& problem, const FitData& data, Cha
 
 SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool derivatives, ChannelRange range) const {
   const std::size_t lobes = problem_.lobeCount(), channels = range.count;
-  const std::size_t m = lobes + (derivatives ? problem_.coordinates().size() : 0);
+  const std::size_t m = lobes + (derivatives ? problem_.derivativeColumns().size() : 0);
   const std::vector<std::vector<double>> parameters = problem_.parameters(x);
   Sums sums;
   sums.m = m;
@@ -115,10 +115,11 @@ SeparableCost::Sums SeparableCost::accumulate(std::span<const double> x, bool de
 }
 
 void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquations& equations) {
-  const std::size_t lobes = problem_.lobeCount(), m = sums.m, shapes = equations.gradient.size();
+  const std::size_t lobes = problem_.lobeCount(), m = sums.m, shapes = equations.gradient.size(), moves = m - lobes;
+  const std::vector<DerivativeColumn>& moved = problem_.derivativeColumns();
   const double* gram = sums.gram();
   std::vector<double> a(lobes * lobes), b(lobes), lower(lobes), upper(lobes);
-  std::vector<double> residualProducts(shapes), reduced(shapes * lobes);
+  std::vector<double> residualProducts(moves), reduced(moves * lobes);
   for (std::size_t c = 0; c < range.count; ++c) {
     const double* cross = sums.cross(c);
     double* scale = scales_.data() + (range.first - channels_.first + c) * lobes;
@@ -143,13 +144,14 @@ void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquation
     if (shapes == 0) continue;
 
     // With D_i the derivative columns, r the residual and F the free lobes (Golub and Pereyra 1973, eq. 5.4):
-    // J_i = s_i P D_i + F (F'F)^-1 e_i (D_i'r), the two parts orthogonal, P the projector off F.
+    // J_i = s_i P D_i + F (F'F)^-1 e_i (D_i'r), the two parts orthogonal, P the projector off F; a coordinate that
+    // moves several lobes is the sum over them.
     const std::size_t free = freeLobes.size();
     std::vector<double> freeGram(free * free);
     for (std::size_t p = 0; p < free; ++p)
       for (std::size_t q = 0; q < free; ++q) freeGram[p * free + q] = gram[freeLobes[p] * m + freeLobes[q]];
     const std::vector<double> inverse = pseudoInverse(freeGram, free);
-    for (std::size_t i = 0; i < shapes; ++i) {
+    for (std::size_t i = 0; i < moves; ++i) {
       residualProducts[i] = cross[lobes + i];
       for (std::size_t l = 0; l < lobes; ++l) residualProducts[i] += gram[(lobes + i) * m + l] * change[l];
       for (std::size_t p = 0; p < free; ++p) {
@@ -158,11 +160,11 @@ void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquation
           reduced[i * free + p] += inverse[p * free + q] * gram[(lobes + i) * m + freeLobes[q]];
       }
     }
-    for (std::size_t i = 0; i < shapes; ++i) {
-      const std::size_t lobeI = problem_.coordinates()[i].lobe;
-      equations.gradient[i] += scale[lobeI] * residualProducts[i];
-      for (std::size_t j = 0; j < shapes; ++j) {
-        const std::size_t lobeJ = problem_.coordinates()[j].lobe;
+    for (std::size_t i = 0; i < moves; ++i) {
+      const auto [coordinateI, lobeI] = moved[i];
+      equations.gradient[coordinateI] += scale[lobeI] * residualProducts[i];
+      for (std::size_t j = 0; j < moves; ++j) {
+        const auto [coordinateJ, lobeJ] = moved[j];
         double projected = gram[(lobes + i) * m + lobes + j];
         for (std::size_t p = 0; p < free; ++p)
           projected -= reduced[i * free + p] * gram[(lobes + j) * m + freeLobes[p]];
@@ -172,7 +174,7 @@ void SeparableCost::project(const Sums& sums, ChannelRange range, NormalEquation
           entry += residualProducts[i] * residualProducts[j] *
                    inverse[static_cast<std::size_t>(p - freeLobes.begin()) * free +
                            static_cast<std::size_t>(q - freeLobes.begin())];
-        equations.matrix[i * shapes + j] += entry;
+        equations.matrix[coordinateI * shapes + coordinateJ] += entry;
       }
     }
   }
@@ -322,7 +324,8 @@ double JointCost::squaredError(std::span<const double> x) {
 
 NormalEquations JointCost::normalEquations(std::span<const double> x) {
   const std::size_t lobes = problem_.lobeCount(), shapes = problem_.coordinates().size();
-  const std::size_t m = lobes + shapes + 1, n = lower_.size();  // columns of one channel, the residual last
+  const std::vector<DerivativeColumn>& moved = problem_.derivativeColumns();
+  const std::size_t m = lobes + moved.size() + 1, n = lower_.size();  // columns of one channel, the residual last
   const Scales scales = scalesOf(x);
   const auto parameters = problem_.parameters(x.first(shapes));
   std::vector<double> sums = sumOverChunks(data_, channels_.count * m * m, [&](const FitChunk& chunk, double* out) {
@@ -341,7 +344,7 @@ NormalEquations JointCost::normalEquations(std::span<const double> x) {
         block.slope(model.data(), slope.data());
         block.residual(model.data(), own.data() + (m - 1) * count);
         for (std::size_t k = 0; k + 1 < m; ++k) {
-          const double factor = k < lobes ? 1.0 : scales[c * lobes + problem_.coordinates()[k - lobes].lobe];
+          const double factor = k < lobes ? 1.0 : scales[c * lobes + moved[k - lobes].lobe];
           for (std::size_t i = 0; i < count; ++i) own[k * count + i] = factor * slope[i] * values[k * count + i];
         }
         addGram(own.data(), m, count, out + c * m * m);
@@ -359,7 +362,7 @@ NormalEquations JointCost::normalEquations(std::span<const double> x) {
     double* gram = sums.data() + c * m * m;
     mirrorUpper(gram, m);
     for (std::size_t l = 0; l < lobes; ++l) place[l] = problem_.fixedScale(l) ? n : nextScale++;
-    for (std::size_t k = 0; k < shapes; ++k) place[lobes + k] = k;
+    for (std::size_t k = 0; k < moved.size(); ++k) place[lobes + k] = moved[k].coordinate;
     equations.squaredError += gram[m * m - 1];
     for (std::size_t i = 0; i + 1 < m; ++i) {
       if (place[i] == n) continue;

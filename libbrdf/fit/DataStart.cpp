@@ -135,7 +135,8 @@ std::vector<double> shapeFromData(const FitProblem& problem, const FitData& all)
     const auto nearest = std::ranges::min_element(distances);
     if (!std::isfinite(*nearest)) continue;
     x = shapes[static_cast<std::size_t>(nearest - distances.begin())];
-    problem.model(lobe).evaluate(pairs, problem.parameters(x)[lobe], values[lobe].data());
+    for (std::size_t l = 0; l < lobes; ++l)  // other lobes may be tied to this one
+      problem.model(l).evaluate(pairs, problem.parameters(x)[l], values[l].data());
     done.push_back(lobe);
 
     std::vector<const double*> columns;

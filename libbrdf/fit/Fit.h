@@ -19,6 +19,12 @@ struct LobeRequest {
   std::map<std::string, double> fixed;  ///< parameter name -> value that the fit does not move; "scale" is a name too
   std::map<std::string, double> start;  ///< parameter name -> starting value; defaults otherwise
   std::map<std::string, std::string> tied;  ///< parameter name -> parameter of the same lobe that it stays equal to
+  /// A parameter of a lobe that comes before in the list of requests.
+  struct Elsewhere {
+    std::size_t lobe = 0;  ///< index in the list
+    std::string parameter;
+  };
+  std::map<std::string, Elsewhere> tiedElsewhere{};  ///< parameter name -> what it stays equal to
 };
 
 enum class Strategy {

@@ -2,6 +2,9 @@
 #include <brdf/base/Text.h>
 #include <brdf/fit/LobeRequests.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace brdf {
 
 std::vector<LobeRequest> parseLobeRequests(std::string_view text) {
@@ -59,41 +62,87 @@ void holdParameter(std::vector<LobeRequest>& requests, std::string_view text) {
                 {"no lobe has such a parameter", "parameter to hold", std::string(text), joined(known)});
 }
 
+namespace {
+
+/// One side of a tie: "name", "Lobe.name" or "Lobe#2.name".
+struct TieSide {
+  std::string model;       ///< empty: any lobe
+  std::size_t number = 0;  ///< of the lobes of that model, from 1; 0: not said
+  std::string name;
+};
+
+TieSide tieSide(std::string_view text) {
+  text = trimmed(text);
+  TieSide side;
+  if (const std::size_t dot = text.find('.'); dot != std::string_view::npos) {
+    const std::string_view lobe = text.substr(0, dot);
+    const std::size_t hash = lobe.find('#');
+    side.model = lobe.substr(0, hash);
+    if (hash != std::string_view::npos) {
+      const auto number = parseNumber(lobe.substr(hash + 1));
+      if (!number || !(*number >= 1) || *number != std::floor(*number) || *number > 1e6 || side.model.empty())
+        return {};
+      side.number = static_cast<std::size_t>(*number);
+    }
+    text = text.substr(dot + 1);
+  }
+  side.name = text;
+  return side;
+}
+
+bool hasParameter(const LobeRequest& request, const std::string& name) {
+  return std::ranges::any_of(request.model->parameters(), [&](const Parameter& p) { return p.name == name; });
+}
+
+/// The lobes that a side means and that have its parameter.
+std::vector<std::size_t> lobesOf(const TieSide& side, const std::vector<LobeRequest>& requests) {
+  std::vector<std::size_t> lobes;
+  std::size_t ofModel = 0;
+  for (std::size_t k = 0; k < requests.size(); ++k) {
+    const bool named = side.model.empty() || requests[k].model->name() == side.model;
+    if (named) ++ofModel;
+    if (named && (side.number == 0 || side.number == ofModel) && hasParameter(requests[k], side.name))
+      lobes.push_back(k);
+  }
+  return lobes;
+}
+
+}  // namespace
+
 void tieParameter(std::vector<LobeRequest>& requests, std::string_view text) {
   const std::size_t equals = text.find('=');
-  const auto parts = [&](std::string_view side) {
-    side = trimmed(side);
-    const std::size_t dot = side.find('.');
-    return dot == std::string_view::npos
-               ? std::pair(std::string(), std::string(side))
-               : std::pair(std::string(side.substr(0, dot)), std::string(side.substr(dot + 1)));
-  };
-  const auto [model, name] = parts(text.substr(0, equals));
-  const auto [otherModel, leader] =
-      equals == std::string_view::npos ? std::pair<std::string, std::string>() : parts(text.substr(equals + 1));
-  if (name.empty() || leader.empty())
-    throw Error(Error::Kind::Usage,
-                {"malformed tie", "parameters to tie", std::string(text), "name=name, say ay=ax or Ward.ay=ax"});
-  if (!otherModel.empty() && otherModel != model)
-    throw Error(Error::Kind::Value, {"parameters of two lobes cannot be tied", "parameters to tie", std::string(text),
-                                     "two parameters of one lobe"});
-  bool found = false;
+  const TieSide side = tieSide(text.substr(0, equals));
+  TieSide other = equals == std::string_view::npos ? TieSide{} : tieSide(text.substr(equals + 1));
+  if (side.name.empty() || other.name.empty())
+    throw Error(Error::Kind::Usage, {"malformed tie", "parameters to tie", std::string(text),
+                                     "name=name, say ay=ax, Ward.ay=ax or GGX#2.alpha=GGX#1.alpha"});
   std::vector<std::string> known;
-  for (LobeRequest& request : requests) {
-    const auto has = [&](const std::string& wanted) {
-      for (const Parameter& parameter : request.model->parameters())
-        if (parameter.name == wanted) return true;
-      return false;
-    };
+  for (const LobeRequest& request : requests)
     for (const Parameter& parameter : request.model->parameters())
       known.push_back(request.model->name() + "." + parameter.name);
-    if ((!model.empty() && model != request.model->name()) || !has(name) || !has(leader)) continue;
-    request.tied[name] = leader;
-    found = true;
+  const auto refuse = [&](const char* what) {
+    throw Error(Error::Kind::Value, {what, "parameters to tie", std::string(text), joined(known)});
+  };
+  const std::vector<std::size_t> lobes = lobesOf(side, requests);
+  if (other.model.empty() || (other.model == side.model && other.number == side.number)) {
+    bool found = false;
+    for (const std::size_t lobe : lobes)
+      if (hasParameter(requests[lobe], other.name)) {
+        requests[lobe].tied[side.name] = other.name;
+        found = true;
+      }
+    if (!found) refuse("no lobe has both parameters");
+    return;
   }
-  if (!found)
-    throw Error(Error::Kind::Value,
-                {"no lobe has both parameters", "parameters to tie", std::string(text), joined(known)});
+  const std::vector<std::size_t> leaders = lobesOf(other, requests);
+  if (lobes.empty() || leaders.empty()) refuse("no lobe has such a parameter");
+  if (lobes.size() > 1 || leaders.size() > 1 || lobes == leaders)
+    refuse("a tie of two lobes must name one each, as GGX#2");
+  // The one that comes later follows.
+  const bool swapped = lobes[0] < leaders[0];
+  LobeRequest& follower = requests[swapped ? leaders[0] : lobes[0]];
+  follower.tiedElsewhere[swapped ? other.name : side.name] = {swapped ? lobes[0] : leaders[0],
+                                                              swapped ? side.name : other.name};
 }
 
 std::vector<LobeRequest> requestsFrom(const LobeSum& material) {

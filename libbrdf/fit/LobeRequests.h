@@ -18,9 +18,10 @@ BRDF_EXPORT std::vector<LobeRequest> parseLobeRequests(std::string_view text);
 /// has the parameter or the value is out of its bounds.
 BRDF_EXPORT void holdParameter(std::vector<LobeRequest>& requests, std::string_view text);
 
-/// Keeps two parameters of a lobe equal: "name=leader" in every lobe that has both, "Lobe.name=leader" or
-/// "Lobe.name=Lobe.leader" in the lobes of that model. Throws Error::Kind::Usage for another form, Error::Kind::Value
-/// when no lobe has both, and for parameters of two lobes: their derivatives are taken lobe by lobe.
+/// Keeps two parameters equal. In one lobe: "name=leader" in every lobe that has both, "Lobe.name=leader" or
+/// "Lobe.name=Lobe.leader" in the lobes of that model. Of two lobes: "Lobe.name=Other.leader", a lobe being a model's
+/// name, with a number from 1 where the sum has several of it ("GGX#2.alpha=GGX#1.alpha"). Throws Error::Kind::Usage for
+/// another form, Error::Kind::Value for lobes or parameters that are not there.
 BRDF_EXPORT void tieParameter(std::vector<LobeRequest>& requests, std::string_view text);
 
 /// Requests that start where a material is: its lobes, with their parameters as starting values (of a parameter that

@@ -197,7 +197,9 @@ std::vector<Start> scanShapes(const FitProblem& problem, const FitData& data, st
       });
       x = std::ranges::min_element(grid, {}, &Start::squaredError)->x;
       included[lobe] = true;
-      evaluateLobe(lobe, x, values[lobe].data());
+      for (const DerivativeColumn& moved : problem.derivativeColumns())  // other lobes may be tied to this one
+        if (moved.lobe == lobe || problem.coordinates()[moved.coordinate].lobe == lobe)
+          evaluateLobe(moved.lobe, x, values[moved.lobe].data());
       found.insert(found.end(), grid.begin(), grid.end());
       if (scanned.size() > 1 && sweep == 0 && lobe != scanned.back()) found.clear();  // fewer lobes: not comparable
     }

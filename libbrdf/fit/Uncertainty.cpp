@@ -43,7 +43,8 @@ struct Names {
   }
   std::string parameter(std::size_t k) const {
     const std::size_t shapes = problem.coordinates().size();
-    if (k < shapes) return problem.model(lobeOf(k)).parameters()[problem.coordinates()[k].parameters.front()].name;
+    if (k < shapes)
+      return problem.model(lobeOf(k)).parameters()[problem.coordinates()[k].parameters.front().parameter].name;
     return "scale";
   }
   std::string full(std::size_t k) const { return parameter(k) + " of " + lobe(lobeOf(k)); }
@@ -208,10 +209,9 @@ void describeParameters(const FitProblem& problem, const FitData& data, ChannelR
           parameter.maximum, problem.isFixed(l, p), false};
       for (std::size_t k = 0; k < shapes; ++k) {
         const ShapeCoordinate& coordinate = problem.coordinates()[k];
-        if (coordinate.lobe != l || std::ranges::find(coordinate.parameters, p) == coordinate.parameters.end())
-          continue;
+        if (!coordinate.moves({l, p})) continue;
         fitted.atBound = onBound[k];
-        if (coordinate.parameters.front() == p) {
+        if (coordinate.parameters.front() == LobeParameter{l, p}) {
           place[k] = report.parameters.size();
           slopes[k] = coordinate.slope(fitted.value);
         }

@@ -56,6 +56,30 @@ Eigen::VectorXd projectedResidual(const FitProblem& problem, const FitData& data
   return Eigen::Map<const Eigen::VectorXd>(residual.data(), residual.size());
 }
 
+TEST(TiedLobes, TheCostsHaveTheirDerivatives) {
+  const ScatteredBrdf measured = target();
+  std::vector<LobeRequest> requests = lobes();
+  requests.push_back({findModel("CookTorrance"), {}, {{"m", 0.4}}, {}, {{"ior", {1, "ior"}}, {"m", {1, "alpha"}}}});
+  const FitProblem problem(requests, Symmetry::Isotropic);
+  ASSERT_EQ(problem.coordinates().size(), 2u);  // alpha and ior of both
+  ASSERT_EQ(problem.derivativeColumns().size(), 4u);
+  const FitData data = FitData::read(*measured.samples(), findMetric("rms"), {});
+  SeparableCost separable(problem, data, {0, 3});
+  JointCost joint(problem, data, {0, 3});
+  const auto check = [](CostFunction& cost, const std::vector<double>& x) {
+    const NormalEquations equations = cost.normalEquations(x);
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      std::vector<double> up = x, down = x;
+      const double h = 1e-5 * std::max(1.0, std::abs(x[k]));
+      up[k] += h, down[k] -= h;
+      const double slope = (cost.squaredError(up) - cost.squaredError(down)) / (4 * h);  // J'r is half of it
+      EXPECT_NEAR(equations.gradient[k], slope, 1e-5 * std::abs(slope) + 1e-9) << k;
+    }
+  };
+  check(separable, problem.start());
+  check(joint, joint.join(problem.start(), {0.2, 0.1, 0.3, 0.1, 0.2, 0.1, 0.3, 0.2, 0.2}));
+}
+
 TEST(SeparableCost, AgreesWithDenseLeastSquaresAndItsExactDerivative) {
   const ScatteredBrdf measured = target();
   for (const char* metric : {"rms", "rms_cos", "relative", "formula:f*cos_i*cos_o"}) {
