@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Draws how the time of a fit grows with samples, lobes and threads.
 
     benchmark_fit --benchmark_out=fit.json --benchmark_out_format=json
@@ -39,13 +39,19 @@ lobes.plot([n for n, *_ in by_lobes], [t for _, t, *_ in by_lobes], "o-")
 for n, time, _, passes in by_lobes:
     lobes.annotate(f"{passes:.0f} passes", (n, time), xytext=(-4, 6), textcoords="offset points", ha="right", fontsize=7)
 lobes.set_xticks([n for n, *_ in by_lobes])
-lobes.set_ylim(bottom=0)
+lobes.set_ylim(0, 1.15 * max(time for _, time, *_ in by_lobes))
+lobes.set_xlim(by_lobes[0][0] - 0.8, by_lobes[-1][0] + 0.2)
 lobes.set_xlabel("lobes (Lambertian and GGX)")
 
 by_threads = series("merlLayoutByThreads")
-threads.loglog([n for n, *_ in by_threads], [t for _, t, *_ in by_threads], "o-", base=2)
-threads.loglog([n for n, *_ in by_threads], [by_threads[0][1] / n for n, *_ in by_threads], ":", color="grey", label="in proportion")
-threads.set_xlabel("threads")
+threads.plot([n for n, *_ in by_threads], [t for _, t, *_ in by_threads], "o-")
+threads.plot([n for n, *_ in by_threads], [by_threads[0][1] / n for n, *_ in by_threads], ":", color="grey",
+             label="in proportion")
+threads.set_xscale("log", base=2)
+threads.set_xticks([n for n, *_ in by_threads], [str(n) for n, *_ in by_threads])
+threads.set_ylim(bottom=0)
+cores = json.load(open(source))["context"]["num_cpus"]
+threads.set_xlabel(f"threads, on {cores} cores")
 threads.legend()
 for axes in (samples, lobes, threads):
     axes.grid(True, which="both", alpha=0.2)
