@@ -177,17 +177,9 @@ void vtkBRDFDotPlotView::Build(int width, int height)
     throw brdf::Error(brdf::Error::Kind::Value, { "no numbers", "dot plot", "", "a column of numbers for each panel" });
   }
 
-  const int text =
-    TextSize(std::min(width, 900), std::min(height, 700)) * (width > 1300 ? 2 : 1) * 3 / (width > 1300 ? 5 : 3);
+  const int text = SmallTextSize(width, height);
   const double top = height - 0.6 * text;
-  AddText(this->GetRenderer(),
-          this->GetTitle(),
-          { 1.0 * text, top },
-          { .Size = text * 6 / 5, .Vertical = Align::High, .Bold = true });
-  AddText(this->GetRenderer(),
-          this->Note,
-          { 1.0 * text, top - 1.8 * text },
-          { .Size = text, .Vertical = Align::High, .Foreground = Faint });
+  AddHeading(this->GetRenderer(), this->GetTitle(), this->Note, top, text);
 
   Rows rows;
   std::vector<std::string> groups, series;

@@ -72,6 +72,13 @@ void AddText(vtkRenderer* renderer, const std::string& text, Point at, const Tex
   renderer->AddViewProp(actor);
 }
 
+void AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text)
+{
+  AddText(renderer, title, { 1.0 * text, top }, { .Size = text * 6 / 5, .Vertical = Align::High, .Bold = true });
+  AddText(
+    renderer, note, { 1.0 * text, top - 1.8 * text }, { .Size = text, .Vertical = Align::High, .Foreground = Faint });
+}
+
 void AddLines(vtkRenderer* renderer, const std::vector<Line>& lines, const Color& color, double width)
 {
   vtkNew<vtkPoints> points;

@@ -43,6 +43,9 @@ struct TextStyle
 };
 void AddText(vtkRenderer* renderer, const std::string& text, Point at, const TextStyle& style);
 
+/** A title with its top at `top`, pixels from below, and a note under it. */
+void AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text);
+
 struct Line
 {
   Point From;

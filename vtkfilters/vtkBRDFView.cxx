@@ -197,6 +197,11 @@ int vtkBRDFView::TextSize(int width, int height)
   return std::max(9, static_cast<int>(std::min(width / 900.0, height / 700.0) * 15 + 0.5));
 }
 
+int vtkBRDFView::SmallTextSize(int width, int height)
+{
+  return TextSize(std::min(width, 900), std::min(height, 700)) * (width > 1300 ? 2 : 1) * 3 / (width > 1300 ? 5 : 3);
+}
+
 void vtkBRDFView::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

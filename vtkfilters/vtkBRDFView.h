@@ -66,6 +66,8 @@ protected:
 
   /** Pixels of ordinary text in a picture of this size. */
   static int TextSize(int width, int height);
+  /** The same for views that hold much: larger pictures get more in, not larger letters. */
+  static int SmallTextSize(int width, int height);
 
 private:
   vtkBRDFView(const vtkBRDFView&) = delete;

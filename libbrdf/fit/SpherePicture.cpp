@@ -1,6 +1,7 @@
 #include <brdf/base/Parallel.h>
 #include <brdf/fit/Samples.h>
 #include <brdf/fit/SpherePicture.h>
+#include <brdf/geometry/Frame.h>
 #include <brdf/io/EnvironmentSampler.h>
 #include <brdf/sampling/SampledBrdf.h>
 #include <brdf/sampling/Sequence.h>
@@ -34,19 +35,9 @@ double radianceOf(double l) {
 
 double luminance(const EnvironmentMap::Rgb& rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
-/// A place of the sphere in the picture.
-struct Pixel {
-  Direction normal, tangent, bitangent;
-  Direction local(const Direction& d) const { return {dot(d, tangent), dot(d, bitangent), dot(d, normal)}; }
-  Direction world(const Direction& d) const {
-    Direction w;
-    for (std::size_t k = 0; k < 3; ++k) w[k] = d[0] * tangent[k] + d[1] * bitangent[k] + d[2] * normal[k];
-    return w;
-  }
-};
-
-std::vector<Pixel> pixelsOfSphere(std::size_t across) {
-  std::vector<Pixel> pixels;
+/// The frames of the places of the sphere that the pixels show.
+std::vector<Frame> pixelsOfSphere(std::size_t across) {
+  std::vector<Frame> pixels;
   for (std::size_t row = 0; row < across; ++row)
     for (std::size_t column = 0; column < across; ++column) {
       const auto middle = [&](std::size_t k) {
@@ -54,7 +45,7 @@ std::vector<Pixel> pixelsOfSphere(std::size_t across) {
       };
       const double x = middle(column), y = -middle(row), squared = x * x + y * y;
       if (squared >= 1) continue;
-      Pixel pixel;
+      Frame pixel;
       pixel.normal = {x, y, std::sqrt(1 - squared)};
       pixel.tangent = normalized(Direction{pixel.normal[2], 0, -pixel.normal[0]});
       pixel.bitangent = cross(pixel.normal, pixel.tangent);
@@ -67,7 +58,7 @@ std::vector<Pixel> pixelsOfSphere(std::size_t across) {
 /// coarse picture finds it.
 std::vector<double> whiteOf(const EnvironmentMap& map, std::size_t channels) {
   EnvironmentMap::Rgb brightest{};
-  for (const Pixel& pixel : pixelsOfSphere(6))
+  for (const Frame& pixel : pixelsOfSphere(6))
     if (const auto light = map.irradiance(pixel.normal); luminance(light) > luminance(brightest)) brightest = light;
   std::vector<double> white(channels, luminance(brightest) / kPi);
   if (channels == 3)
@@ -78,7 +69,7 @@ std::vector<double> whiteOf(const EnvironmentMap& map, std::size_t channels) {
 }
 
 /// Draws the directions of one pixel, from `first` in the chunk's pairs on, and what each adds.
-void lightPixel(const Pixel& pixel, std::size_t index, const Brdf& brdf, const EnvironmentMap& map,
+void lightPixel(const Frame& pixel, std::size_t index, const Brdf& brdf, const EnvironmentMap& map,
                 const EnvironmentSampler& sampler, const std::vector<double>& white, FitChunk& chunk,
                 std::size_t first) {
   constexpr std::size_t half = kDirections / 2;
@@ -163,7 +154,7 @@ FitData spherePicture(const Brdf& target, const std::shared_ptr<const SphereMetr
   const BrdfPointer brdf = withSampler(BrdfPointer(BrdfPointer(), &target), coarse);
   const EnvironmentMap& map = metric->map();
   const EnvironmentSampler sampler(map);
-  const std::vector<Pixel> pixels = pixelsOfSphere(kAcross);
+  const std::vector<Frame> pixels = pixelsOfSphere(kAcross);
   FitData data;
   data.metric = metric;
   data.pairsAResidual = kDirections;

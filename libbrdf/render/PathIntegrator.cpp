@@ -1,3 +1,4 @@
+#include <brdf/geometry/Frame.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/render/PathIntegrator.h>
 #include <brdf/sampling/SampledBrdf.h>
@@ -7,17 +8,6 @@
 
 namespace brdf {
 namespace {
-
-/// Coordinates of a world direction in a frame, and back.
-struct Frame {
-  Direction t, b, n;
-  Direction local(const Direction& d) const { return {dot(d, t), dot(d, b), dot(d, n)}; }
-  Direction world(const Direction& d) const {
-    Direction w;
-    for (std::size_t k = 0; k < 3; ++k) w[k] = d[0] * t[k] + d[1] * b[k] + d[2] * n[k];
-    return w;
-  }
-};
 
 /// The frame for shading, on the side that the viewer sees. Interpolated normals can turn away from the viewer at a
 /// silhouette: they are tilted back to 89.94 degrees, as shaders/brdf_surface.glsl does.
