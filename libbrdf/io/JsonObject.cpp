@@ -5,18 +5,6 @@
 #include <cmath>
 
 namespace brdf {
-namespace {
-
-using Json = JsonObject::Json;
-
-std::string shortened(const Json& value) {
-  std::string text = value.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > 40) text = text.substr(0, 37) + "...";
-  return text;
-}
-
-}  // namespace
-
 JsonObject::JsonObject(std::shared_ptr<const Json> root, const Json* value, std::string where)
     : root_(std::move(root)), value_(value), where_(std::move(where)) {
   if (!value_->is_object()) throw Error(Error::Kind::Format, {"no object", where_, shortened(*value_), "{...}"});
@@ -24,15 +12,7 @@ JsonObject::JsonObject(std::shared_ptr<const Json> root, const Json* value, std:
 
 JsonObject JsonObject::read(const std::filesystem::path& path) {
   constexpr std::uint64_t kMaximumBytes = std::uint64_t{64} << 20;
-  const std::string text = readFile(path, kMaximumBytes);
-  std::shared_ptr<const Json> root;
-  try {
-    root = std::make_shared<const Json>(Json::parse(text, nullptr, true, true));
-  } catch (const Json::parse_error& error) {
-    const std::size_t at = std::min<std::size_t>(error.byte > 0 ? error.byte - 1 : 0, text.size());
-    const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
-    throw Error(Error::Kind::Format, {"no JSON", path.string() + ", line " + std::to_string(line), {}, {}});
-  }
+  const auto root = std::make_shared<const Json>(parseJson(readFile(path, kMaximumBytes), path.string()));
   return JsonObject(root, root.get(), path.string());
 }
 

@@ -1,10 +1,10 @@
 #pragma once
+#include <brdf/base/JsonText.h>
 #include <brdf/brdf_export.h>
 
 #include <array>
 #include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -18,9 +18,7 @@ namespace brdf {
 /// missing or unknown key). Its header needs nlohmann/json.hpp.
 class BRDF_EXPORT JsonObject {
  public:
-  using Json = nlohmann::ordered_json;
-
-  /// Reads a file whose outermost value is an object; at most 64 MiB. Comments (// and /* */) are allowed.
+  /// Reads a file whose outermost value is an object; at most 64 MiB.
   static JsonObject read(const std::filesystem::path& path);
 
   const std::string& where() const { return where_; }

@@ -2,6 +2,7 @@
 // {theta_i, phi_i, theta_r, phi_r, wavelength_i, polarization_i, BRDF, uBRDF, ...}}, each variable {"unit", "values",
 // "uncertainty"} with one number a point. Points that differ in wavelength alone are the channels of one sample.
 #include <brdf/base/Error.h>
+#include <brdf/base/JsonText.h>
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/measured/BuiltInFormats.h>
@@ -13,12 +14,10 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <nlohmann/json.hpp>
 
 namespace brdf {
 namespace {
 
-using Json = nlohmann::ordered_json;
 constexpr std::array<const char*, 4> kAngles{"theta_i", "phi_i", "theta_r", "phi_r"};
 constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
@@ -50,7 +49,7 @@ class Data {
       fail("arrays of different lengths", variable, std::to_string(list.size()) + " values", std::to_string(count));
     std::vector<double> result;
     for (const Json& item : list) {
-      if (!item.is_number() && !item.is_null()) fail("no number", variable, item.dump().substr(0, 40), {});
+      if (!item.is_number() && !item.is_null()) fail("no number", variable, shortened(item), {});
       result.push_back(item.is_null() ? kNothing : item.get<double>());
     }
     result.resize(count, result.empty() ? kNothing : result.front());
@@ -121,12 +120,11 @@ std::vector<std::size_t> polarisations(const Data& data, std::size_t count, Read
       stokes[0] = name == "s" ? 1 : name == "p" ? -1 : 0;
     } else if (state.is_array() && state.size() == 4) {
       for (std::size_t k = 0; k < 3; ++k) {
-        if (!state[k + 1].is_number()) data.fail("no number", "polarization_i", state.dump().substr(0, 40), {});
+        if (!state[k + 1].is_number()) data.fail("no number", "polarization_i", shortened(state), {});
         stokes[k] = state[k + 1].get<double>();
       }
     } else {
-      data.fail("unknown state of polarisation", "polarization_i", state.dump().substr(0, 40),
-                "s, p, u or a Stokes vector");
+      data.fail("unknown state of polarisation", "polarization_i", shortened(state), "s, p, u or a Stokes vector");
     }
     const auto [place, added] = states.emplace(state.dump(), states.size());
     if (added)
@@ -281,14 +279,7 @@ void readMetadata(const Json& root, bool& isotropic, bool& stated, ReadReport& r
 
 ReadResult read(std::string_view bytes, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string where = path.string();
-  Json root;
-  try {
-    root = Json::parse(withoutByteOrderMark(bytes));
-  } catch (const Json::parse_error& error) {
-    throw Error(Error::Kind::Format, {"not well-formed JSON", where + ", byte " + std::to_string(error.byte), {}, {}});
-  } catch (const Json::exception& error) {
-    throw Error(Error::Kind::Format, {"a number that JSON cannot hold", where, error.what(), {}});
-  }
+  const Json root = parseJson(withoutByteOrderMark(bytes), where);
   if (!root.is_object() || !root.contains("data") || !root["data"].is_object())
     throw Error(Error::Kind::Format, {"no object \"data\"", where, {}, "{\"metadata\": {...}, \"data\": {...}}"});
   ReadReport report;

@@ -174,7 +174,7 @@ TEST(Batch, AFaultOfTheJobIsToldWithItsPlaceBeforeAnythingIsFitted) {
   const auto folder = scratchFolder();
   writeJob(folder, {});
   const std::pair<std::string, std::vector<const char*>> faults[] = {
-      {"{\"targets\": [\"a.csv\"],\n \"fits\": {\"metric\": rms}}", {"job.json:2", "not JSON"}},
+      {"{\"targets\": [\"a.csv\"],\n \"fits\": {\"metric\": rms}}", {"job.json, line 2", "not JSON"}},
       {"[]", {"not a job"}},
       {R"({"fits": {}})", {"no targets"}},
       {R"({"target": ["a.csv"], "fits": {}})", {"\"target\"", "nearest: targets"}},

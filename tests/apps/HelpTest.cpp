@@ -6,8 +6,8 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "fit",   "batch",
-                                            "compare", "check", "lobe", "error",   "render"};
+const std::vector<std::string> kCommands = {"models", "info",    "eval",  "convert", "export", "fit",
+                                            "batch",  "compare", "check", "lobe",    "error",  "render"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
   return command == "lobe" || command == "error" || command == "render";

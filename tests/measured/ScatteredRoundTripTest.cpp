@@ -234,7 +234,7 @@ TEST(DamagedFiles, WrongCountsAreNamed) {
        "\"values\": [1, 2, 3]}}}",
        "3 values"},
       {"{\"metadata\": {}, \"data\": {\"BRDF\": {\"unit\": \"W\", \"values\": [1]}}}", "unknown unit"},
-      {"{\"metadata\": {}, \"data\": [", "not well-formed JSON"},
+      {"{\"metadata\": {}, \"data\": [", "not JSON"},
       {"0.5,0,0.5,3,1,1,1\n0.5,0,0.5,3,1,1\n", "line 2: wrong number of columns"},
   };
   for (const auto& [text, expected] : cases) {

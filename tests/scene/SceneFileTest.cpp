@@ -69,7 +69,7 @@ TEST(SceneFile, EverythingItCanSay) {
 }
 
 TEST(SceneFile, SaysWhereItIsWrong) {
-  EXPECT_EQ(refusal("{\n\"film\": {\n}"), "scene.json, line 3: no JSON");
+  EXPECT_EQ(refusal("{\n\"film\": {\n}"), "scene.json, line 3: not JSON; found a fault near byte 14");
   EXPECT_EQ(refusal("[]"), "scene.json: no object; found []; allowed: {...}");
   EXPECT_EQ(refusal(R"({"flim": {}})"),
             "scene.json: unknown key; found \"flim\" (did you mean \"film\"?); allowed: camera, environment, film, "

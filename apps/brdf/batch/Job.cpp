@@ -5,13 +5,13 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
+#include <brdf/base/JsonText.h>
 #include <brdf/base/Text.h>
 #include <brdf/io/Sha256.h>
 #include <brdf/material/LobeSum.h>
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 namespace fs = std::filesystem;
@@ -19,14 +19,10 @@ namespace fs = std::filesystem;
 namespace brdf::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr std::size_t kMostTasks = 100000;
 
 [[noreturn]] void bad(std::string what, std::string where, const Json& found, std::string allowed) {
-  std::string text = found.dump(-1, ' ', false, Json::error_handler_t::replace);
-  if (text.size() > 60) text = text.substr(0, 57) + "...";
-  throw Error(Error::Kind::Format, {std::move(what), std::move(where), std::move(text), std::move(allowed)});
+  throw Error(Error::Kind::Format, {std::move(what), std::move(where), shortened(found, 60), std::move(allowed)});
 }
 
 /// Refuses keys that nothing reads: a misspelt one would otherwise be silently without effect.
@@ -214,15 +210,7 @@ std::string BatchTask::title(const std::string& targetName) const {
 
 BatchJob parseBatchJob(const std::string& text, const fs::path& path,
                        const std::function<std::string(const std::string&)>& contentHash) {
-  Json json;
-  try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(error.byte, text.size()));
-    throw Error(Error::Kind::Format,
-                {"not JSON", path.string() + ":" + std::to_string(1 + std::count(text.begin(), end, '\n')),
-                 "a fault near byte " + std::to_string(error.byte), "see brdf batch --example"});
-  }
+  const Json json = parseJson(text, path.string());
   if (!json.is_object()) bad("not a job", path.string(), json, "an object with targets and fits");
   checkKeys(json, path.string(), {"title", "note", "targets", "fits"});
   for (const char* key : {"targets", "fits"})
