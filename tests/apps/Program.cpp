@@ -1,5 +1,7 @@
 #include "Program.h"
 
+#include "../TestFolder.h"
+
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 
@@ -63,15 +65,7 @@ nlohmann::json reportOf(const fs::path& folder, std::vector<std::string> argumen
   return report;
 }
 
-fs::path scratchFolder() {
-  const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(test->test_suite_name()) + "." + test->name();
-  std::replace(name.begin(), name.end(), '/', '-');
-  const fs::path folder = fs::path(BRDF_TEST_DIR) / "apps" / name;
-  fs::remove_all(folder);
-  fs::create_directories(folder);
-  return folder;
-}
+fs::path scratchFolder() { return testFolder("scratch"); }
 
 std::vector<std::string> filesIn(const fs::path& folder) {
   std::vector<std::string> names;

@@ -1,4 +1,6 @@
 // Every check can fail: a model broken in one way is caught by the check of that name and by no other.
+#include "../TestFolder.h"
+
 #include <brdf/check/Check.h>
 #include <brdf/check/Normalisation.h>
 #include <brdf/geometry/Directions.h>
@@ -113,11 +115,10 @@ TEST(CheckModel, PassesARightModelAndNamesEveryCheckOnce) {
 }
 
 TEST(CheckModel, PassesAModelFileWrittenAtRunTime) {
-  const std::filesystem::path file = std::filesystem::path(BRDF_TEST_DIR) / "CheckTestProbe.xml";
+  const std::filesystem::path file = testFolder("models") / "CheckTestProbe.xml";
   std::ofstream(file) << record("(20 + 80 * a + 2) / (2 * pi) * powerOfCosR(20 + 80 * a)", "",
                                 "<sampler name='AxisCosinePower' arguments='-vx, -vy, vz, 20 + 80 * a'/>");
   const ModelPointer model = readModelFile(file);
-  std::filesystem::remove(file);
   EXPECT_EQ(failures(*model), Names{});
 }
 

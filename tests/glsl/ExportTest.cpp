@@ -1,4 +1,5 @@
 // The GLSL that `brdf export` writes, run by itself: value, density and draw of whole materials against the processor.
+#include "../TestFolder.h"
 #include "ProbeSupport.h"
 
 #include <brdf/check/Cases.h>
@@ -137,7 +138,7 @@ TEST_F(GlslExport, TwoMaterialsFitIntoOneShader) {
 TEST_F(GlslExport, PassesTheReferenceCompilerWhereThereIsOne) {
   if (std::system("glslangValidator --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "no glslangValidator";
   const auto material = parseMaterialExpression("(0.25,0.125,0.0625)*Lambertian + 0.5*GGX(alpha=0.25)");
-  const auto path = std::filesystem::path(BRDF_TEST_DIR) / "export.frag";
+  const auto path = testFolder("glsl") / "export.frag";
   std::ofstream(path) << "#version 330 core\n"
                       << exported(material)
                       << "out vec4 colour;\nvoid main() { colour = vec4(material_evaluate(vec3(0.0, 0.0, 1.0), "

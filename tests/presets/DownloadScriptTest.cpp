@@ -3,8 +3,9 @@
 
 #include <sys/wait.h>
 
+#include "../TestFolder.h"
+
 #include <cstdlib>
-#include <filesystem>
 
 namespace {
 
@@ -15,9 +16,7 @@ struct Outcome {
 
 /// Runs datasets/download.sh; nothing that these tests ask for reaches the network.
 Outcome runScript(const std::string& arguments) {
-  const auto folder = std::filesystem::path(BRDF_TEST_DIR) / "presets";
-  std::filesystem::create_directories(folder);
-  const auto out = folder / "download.txt";
+  const auto out = testFolder("download") / "output.txt";
   const int status = std::system(
       ("bash " BRDF_SOURCE_DIR "/datasets/download.sh " + arguments + " > " + out.string() + " 2>&1").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, brdf::readFile(out)};

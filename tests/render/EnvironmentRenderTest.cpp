@@ -1,4 +1,5 @@
 // Environment light: furnaces against quadrature, real maps against the sum over every texel, orientation.
+#include "../TestFolder.h"
 #include "RenderScene.h"
 
 #include <brdf/io/ImageFile.h>
@@ -138,9 +139,7 @@ TEST_F(Render, BackgroundAndReflectionShowTheMapUprightTurnedAndNotMirrored) {
     for (std::size_t x = 0; x < 256; ++x)
       for (std::size_t axis = 0; axis < 3; ++axis)
         picture.pixel(x, y)[axis] = static_cast<float>(2 + frame.direction(x, y)[axis]);
-  const auto folder = std::filesystem::path(BRDF_TEST_DIR) / "render";
-  std::filesystem::create_directories(folder);
-  const std::string file = (folder / "axes.exr").string();
+  const std::string file = (testFolder("environment") / "axes.exr").string();
   brdf::writeExr(picture, file);
   ASSERT_TRUE(environment_->ReadFile(file));
   render_->SetEnvironment(environment_);

@@ -1,3 +1,4 @@
+#include "../TestFolder.h"
 #include "Support.h"
 
 #include <brdf/geometry/Directions.h>
@@ -148,9 +149,7 @@ TEST(View, FailsWithAReasonAndWritesNothing) {
   EXPECT_FALSE(empty->Render());
   EXPECT_NE(empty->GetErrorText().find("nothing to draw"), std::string::npos);
 
-  const std::filesystem::path folder = std::filesystem::path(BRDF_TEST_DIR) / "views";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = testFolder("views");
   const auto bad = material("Nonsense"), good = material("Lambertian");
   vtkNew<vtkBRDFLobeView> view;
   view->SetSize(100, 100);
