@@ -9,13 +9,13 @@
 
 namespace
 {
-// "p[3], p[4]" or "p0, p1": arguments after the directions, each preceded by a comma.
-std::string Arguments(std::size_t count, std::size_t first, bool local)
+// ", brdfParameter3, brdfParameter4": arguments after the directions.
+std::string Arguments(std::size_t count, std::size_t first)
 {
   std::string text;
   for (std::size_t i = 0; i < count; ++i)
   {
-    text += local ? ", p" + std::to_string(i) : ", brdfParameters[" + std::to_string(first + i) + "]";
+    text += ", brdfParameter" + std::to_string(first + i);
   }
   return text;
 }
@@ -86,33 +86,39 @@ std::vector<int> vtkBRDFShaderText::Samples(int samples) const
   return counts;
 }
 
-std::string vtkBRDFShaderText::SamplerText(const brdf::Model& model) const
+// The functions of one term, which every way of drawing is written with: value with its scale, draw and density.
+std::string vtkBRDFShaderText::TermText(std::size_t index) const
 {
-  const std::string name = "brdf_" + model.name();
-  const std::size_t count = model.parameters().size();
-  const std::string arguments = Arguments(count, 0, true);
-  std::string text =
-    "vec3 brdfReflected_" + model.name() + "(vec3 wo, mat3 frame, uvec2 shift, int samples, int first)\n{\n";
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    text += "  float p" + std::to_string(i) + " = brdfParameters[first + " + std::to_string(i) + "];\n";
-  }
-  return text +
+  const Term& term = this->Terms[index];
+  const std::string name = "brdfTerm" + std::to_string(index), model = "brdf_" + term.Model->name();
+  const std::string arguments = Arguments(term.Model->parameters().size(), term.Offset) + ");\n}\n";
+  return "float " + name + "_shape(vec3 wi, vec3 wo)\n{\n  return " + model + "(wi, wo" + arguments + "vec3 " + name +
+         "_value(vec3 wi, vec3 wo)\n{\n  return brdfScales[" + std::to_string(index) + "] * " + name +
+         "_shape(wi, wo);\n}\nvec3 " + name + "_sample(vec3 wo, vec2 u)\n{\n  return " + model + "_sample(wo, u" +
+         arguments + "float " + name + "_pdf(vec3 wi, vec3 wo)\n{\n  return " + model + "_pdf(wi, wo" + arguments;
+}
+
+// Environment light on one term by filtered importance sampling, without its scale.
+std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
+{
+  const std::string name = "brdfTerm" + std::to_string(index);
+  return "vec3 " + name +
+         "_reflected(vec3 wo, mat3 frame, uvec2 shift, int samples)\n"
+         "{\n"
          "  vec3 sum = vec3(0.0);\n"
          "  for (int i = 0; i < samples; ++i)\n"
          "  {\n"
          "    vec3 wi = " +
-         name + "_sample(wo, brdfPoint(i, samples, shift)" + arguments +
-         ");\n"
+         name +
+         "_sample(wo, brdfPoint(i, samples, shift));\n"
          "    float density = " +
-         name + "_pdf(wi, wo" + arguments +
-         ");\n"
+         name +
+         "_pdf(wi, wo);\n"
          "    if (wi.z > 0.0 && density > 0.0)\n"
          "    {\n"
-         "      sum += brdfRadiance(frame * wi, density * float(samples)) *\n"
-         "        (" +
-         name + "(wi, wo" + arguments +
-         ") * wi.z / density);\n"
+         "      sum += brdfRadiance(frame * wi, density * float(samples)) * (" +
+         name +
+         "_shape(wi, wo) * wi.z / density);\n"
          "    }\n"
          "  }\n"
          "  return samples > 0 ? sum / float(samples) : vec3(0.0);\n"
@@ -124,9 +130,7 @@ std::string vtkBRDFShaderText::ValueText() const
   std::string text = "vec3 brdfValue(vec3 wi, vec3 wo)\n{\n  vec3 value = vec3(0.0);\n";
   for (std::size_t i = 0; i < this->Terms.size(); ++i)
   {
-    const Term& term = this->Terms[i];
-    text += "  value += brdfScales[" + std::to_string(i) + "] * brdf_" + term.Model->name() + "(wi, wo" +
-            Arguments(term.Model->parameters().size(), term.Offset, false) + ");\n";
+    text += "  value += brdfTerm" + std::to_string(i) + "_value(wi, wo);\n";
   }
   return text + "  return value;\n}\n";
 }
@@ -136,19 +140,18 @@ std::string vtkBRDFShaderText::EnvironmentText() const
   std::string text = "vec3 brdfEnvironment(vec3 wo, mat3 frame, uvec2 pixel)\n{\n  vec3 radiance = vec3(0.0);\n";
   for (std::size_t i = 0; i < this->Terms.size(); ++i)
   {
-    const Term& term = this->Terms[i];
-    text += "  radiance += brdfScales[" + std::to_string(i) + "] * ";
-    if (term.Model->constant())
+    const std::string index = std::to_string(i), name = "brdfTerm" + index;
+    text += "  radiance += brdfScales[" + index + "] * ";
+    if (this->Terms[i].Model->constant())
     {
       // Any direction gives its value; pi turns irradiance / pi into irradiance.
-      text += "(3.14159265 * brdf_" + term.Model->name() + "(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0)" +
-              Arguments(term.Model->parameters().size(), term.Offset, false) + ")) * brdfDiffuse(frame[2]);\n";
+      text += "(3.14159265 * " + name + "_shape(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0))) * brdfDiffuse(frame[2]);\n";
     }
     else
     {
       // Terms differ in their shift, so that their samples are independent.
-      text += "brdfReflected_" + term.Model->name() + "(wo, frame, brdfHash(pixel + uvec2(" + std::to_string(7919 * i) +
-              "u)), brdfSamples[" + std::to_string(i) + "], " + std::to_string(term.Offset) + ");\n";
+      text += name + "_reflected(wo, frame, brdfHash(pixel + uvec2(" + std::to_string(7919 * i) + "u)), brdfSamples[" +
+              index + "]);\n";
     }
   }
   return text + "  return radiance;\n}\n";
@@ -159,9 +162,15 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment
   const std::string terms = std::to_string(std::max<std::size_t>(this->Terms.size(), 1));
   std::vector<Piece> pieces;
   pieces.push_back({ "formula prelude", brdf::Model::glslPrelude() });
-  pieces.push_back({ "uniforms of the material",
-                     "uniform float brdfParameters[" + std::to_string(this->ParameterValues.size()) +
-                       "];\nuniform vec3 brdfScales[" + terms + "];\nuniform int brdfSamples[" + terms + "];\n" });
+  std::string uniforms = "uniform float brdfParameters[" + std::to_string(this->ParameterValues.size()) +
+                         "];\nuniform vec3 brdfScales[" + terms + "];\nuniform int brdfSamples[" + terms + "];\n";
+  // Read once a fragment: software devices fetch a uniform anew at every use, a tenth of the time of a loop of samples.
+  for (std::size_t i = 0; i < this->ParameterValues.size(); ++i)
+  {
+    const std::string number = std::to_string(i);
+    uniforms += "float brdfParameter" + number + " = brdfParameters[" + number + "];\n";
+  }
+  pieces.push_back({ "uniforms of the material", uniforms });
   if (environment)
   {
     pieces.push_back({ "brdf_map.glsl", std::string(File("brdf_map.glsl")) });
@@ -171,9 +180,13 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment
   for (const auto& model : this->Models)
   {
     pieces.push_back({ "model " + model->name(), model->glsl() });
-    if (environment && !model->constant())
+  }
+  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  {
+    pieces.push_back({ "term " + std::to_string(i), this->TermText(i) });
+    if (environment && !this->Terms[i].Model->constant())
     {
-      pieces.push_back({ "sampling of " + model->name(), this->SamplerText(*model) });
+      pieces.push_back({ "environment light on term " + std::to_string(i), this->ReflectedText(i) });
     }
   }
   pieces.push_back({ "value of the material", this->ValueText() });

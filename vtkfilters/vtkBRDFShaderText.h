@@ -11,6 +11,12 @@
 // The sum is written as terms: a lobe whose shape the channels share is one term; a channel-dependent lobe is one term
 // a channel, which colours that channel only. Text() depends on the models and their order alone (Structure()), so that
 // changing a parameter or a scale changes numbers and never compiles.
+//
+// For every term N, from 0, the text holds
+//   vec3  brdfTermN_value(vec3 wi, vec3 wo)    the term with its scale by channel, 1/sr; 0 below the horizon
+//   vec3  brdfTermN_sample(vec3 wo, vec2 u)    unit direction drawn from two numbers in [0, 1); a failed draw is 0
+//   float brdfTermN_pdf(vec3 wi, vec3 wo)      density of the draw over solid angle, 1/sr
+// in the local frame (normal +z, tangent +x). A constant term is drawn by the cosine.
 class vtkBRDFShaderText
 {
 public:
@@ -48,7 +54,8 @@ private:
     double Weight;      // share of the samples
   };
   std::vector<Piece> Pieces(bool environment) const;
-  std::string SamplerText(const brdf::Model& model) const;
+  std::string TermText(std::size_t index) const;
+  std::string ReflectedText(std::size_t index) const;
   std::string ValueText() const;
   std::string EnvironmentText() const;
 
