@@ -124,6 +124,10 @@ struct PictureFunctions {
   TriangleMesh (*readMesh)(const std::string& path);
   /// Linear radiance (three channels) as the .png that `request` asks for, without its other wishes.
   void (*writePng)(const Image& radiance, const RenderPicture& request, const std::string& path);
+  /// How far the layout of one PNG is from another's: the share of the picture that differs, 0 to 1 (vtkImageDifference:
+  /// pixels that differ wholly count 1, others in proportion; small differences and shifts by a pixel do not count).
+  /// Writes the differences as a PNG where a path is given.
+  double (*layoutDifference)(const std::string& found, const std::string& baseline, const std::string& differences);
   /// Throws Error::Kind::Device when there is no headless OpenGL. The runner is for one thread at a time.
   GlslRunner (*shaderProbe)();
 };

@@ -6,11 +6,11 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models", "info",    "eval",  "convert", "export", "fit",
-                                            "batch",  "compare", "check", "lobe",    "error",  "render"};
+const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "export", "fit",     "batch",
+                                            "compare", "check", "lobe", "error",   "render", "baseline"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
-  return command == "lobe" || command == "error" || command == "render";
+  return command == "lobe" || command == "error" || command == "render" || command == "baseline";
 }
 
 class Command : public ::testing::TestWithParam<std::string> {};

@@ -29,6 +29,7 @@ Command compareCommand();
 Command lobeCommand();
 Command errorCommand();
 Command renderCommand();
+Command baselineCommand();
 
 /// All commands in the order in which help shows them.
 std::span<Command> allCommands();

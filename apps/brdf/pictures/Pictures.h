@@ -4,6 +4,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 
+#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
@@ -23,6 +24,7 @@ void writeRadiancePng(const Image& radiance, const RenderPicture& request, const
 void drawAudit(const AuditPicture& request);
 void drawDotPlot(const DotPlotPicture& request);
 void drawMontage(const MontagePicture& request);
+double layoutDifference(const std::string& found, const std::string& baseline, const std::string& differences);
 GlslRunner shaderProbe();
 
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
@@ -57,7 +59,10 @@ void writeVtk(Data* data, const std::string& path) {
   vtkNew<Writer> writer;
   writer->SetInputData(data);
   writer->SetFileName(file.temporaryPath().c_str());
-  if (!writer->Write()) throw Error(Error::Kind::File, {"cannot be written", path, "", ""});
+  writer->Write();
+  if (writer->GetErrorCode() != vtkErrorCode::NoError)
+    throw Error(Error::Kind::File,
+                {"cannot be written", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()), ""});
   file.commit();
 }
 

@@ -8,7 +8,6 @@
 #include <vtkBRDFEnvironment.h>
 #include <vtkBRDFRender.h>
 #include <vtkBRDFToneMap.h>
-#include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkOBJReader.h>
 #include <vtkPLYReader.h>
@@ -68,15 +67,7 @@ void addLight(vtkBRDFRender* render, const Light& light, double rotation) {
 }
 
 void writePng(vtkImageData* radiance, const RenderPicture& request, const std::string& path) {
-  AtomicFile file(path);
-  vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(toneMapped(radiance, request));
-  writer->SetFileName(file.temporaryPath().c_str());
-  writer->Write();
-  if (writer->GetErrorCode() != vtkErrorCode::NoError)
-    throw Error(Error::Kind::File,
-                {"cannot be written", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode())});
-  file.commit();
+  writeVtk<vtkPNGWriter>(toneMapped(radiance, request).Get(), path);
 }
 
 void writeExrFile(vtkImageData* radiance, const std::string& path) {
