@@ -8,8 +8,8 @@ uniform float brdfGain;   // factor on the radiance
 in vec3 ray;
 void main()
 {
-  float norm = abs(ray.x) + abs(ray.y) + abs(ray.z);
-  vec2 position = brdfProject(ray, norm);
+  float inverse = 1.0 / (abs(ray.x) + abs(ray.y) + abs(ray.z));
+  vec2 position = brdfProject(ray, inverse);
   float level = clamp(brdfLevel, 0.0, brdfRadianceMap.last);
   vec3 finer = brdfLookUp(brdfRadiancePicture, brdfRadianceMap, position, floor(level));
   vec3 coarser = brdfLookUp(brdfRadiancePicture, brdfRadianceMap, position, ceil(level));

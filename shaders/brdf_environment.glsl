@@ -3,22 +3,46 @@
 // reads the level whose texels come nearest to that size.
 uniform sampler2D brdfRadiancePicture;  // W / (sr m^2) or relative, linear
 uniform brdfMap brdfRadianceMap;
+uniform usampler2D brdfFootprints;      // the same, packed: brdf::OctahedralMap::Footprints
+uniform float brdfFootprintUnit;
 uniform sampler2D brdfDiffusePicture;   // irradiance / pi: brdf::EnvironmentMap::diffuseMap
 uniform mat3 brdfViewToEnvironment;     // rotation from view coordinates to those of the maps
 uniform int brdfSeed;                   // of the samples' noise
 uniform float brdfFilter;               // factor on each sample's solid angle: 4^(level bias)
 
-// Mean radiance over the solid angle 1 / density (of one sample among all) about a unit direction.
-vec3 brdfRadiance(vec3 direction, float density)
+// Four words of brdf::OctahedralMap::Footprints mixed by their weights, without the map's unit.
+vec3 brdfUnpack(uvec4 words, vec4 weights)
+{
+  vec4 scales = weights * intBitsToFloat(ivec4((words >> 27u) + 96u) << 23);
+  return vec3(dot(scales, vec4(ivec4(words & 511u))), dot(scales, vec4(ivec4((words >> 9u) & 511u))),
+              dot(scales, vec4(ivec4((words >> 18u) & 511u))));
+}
+
+// Bilinear look-up in one level by a single fetch.
+vec3 brdfFootprint(brdfMap map, vec2 position, int level)
+{
+  float n = intBitsToFloat(floatBitsToInt(map.size) - (level << 23));
+  vec2 corner = level > 0 ? vec2(map.size + 2.0, map.size - 2.0 * n + 2.0 * float(level - 1)) : vec2(0.0);
+  vec2 place = corner + position * n + 0.5;
+  ivec2 texel = ivec2(place);
+  vec2 after = place - vec2(texel), before = 1.0 - after;
+  return brdfFootprintUnit * brdfUnpack(texelFetch(brdfFootprints, texel, 0),
+    vec4(before.x * before.y, after.x * before.y, before.x * after.y, after.x * after.y));
+}
+
+// Texels of the finest level in a steradian at |x| + |y| + |z| = 1, twice, and one of 4^(level bias).
+float brdfTexels = 0.5 * brdfFilter * brdfRadianceMap.size * brdfRadianceMap.size;
+
+// Mean radiance over `solidAngle` about a unit direction.
+vec3 brdfRadiance(vec3 direction, float solidAngle)
 {
   vec3 a = abs(direction);
-  float norm = a.x + a.y + a.z;
-  // Texels of the finest level in that solid angle: each has 4 norm^3 / size^2. Level k = round(log4(texels)), by the
-  // exponent of 2 texels: two levels a factor of 4.
-  float texels = brdfFilter * brdfRadianceMap.size * brdfRadianceMap.size / (4.0 * norm * norm * norm * density);
-  int exponent = (floatBitsToInt(2.0 * max(texels, 1.0)) >> 23) - 127;
-  float level = min(float(exponent >> 1), brdfRadianceMap.last);
-  return brdfLookUp(brdfRadiancePicture, brdfRadianceMap, brdfProject(direction, norm), level);
+  float inverse = 1.0 / (a.x + a.y + a.z);
+  // A texel has 4 / (inverse^3 size^2). Level k = round(log4(texels)), by the exponent of 2 texels: two levels a factor
+  // of 4.
+  float texels = brdfTexels * (inverse * inverse) * (inverse * solidAngle);
+  int level = min(((floatBitsToInt(max(texels, 2.0)) >> 23) - 127) >> 1, int(brdfRadianceMap.last));
+  return brdfFootprint(brdfRadianceMap, brdfProject(direction, inverse), level);
 }
 
 // Light reflected by a white Lambertian facing `normal`: 128 columns around the vertical, rows from pole to pole.
@@ -43,11 +67,16 @@ uvec2 brdfHash(uvec2 v)
   return v;
 }
 
-// Point i of n of the lattice (i / n, i / golden ratio) in [0, 1)^2 (the Fibonacci lattice made for any n), shifted on the
+vec2 brdfUnit(uvec2 word)
+{
+  return vec2(ivec2(word >> 8u)) * (1.0 / 16777216.0);
+}
+
+// Point i of n = 1 / inverse of the lattice (i / n, i / golden ratio) in [0, 1)^2 (the Fibonacci lattice made for any n), shifted on the
 // torus by random words, the first coordinate inside its interval of 1 / n only (Cranley and Patterson 1976): every
 // interval of the first coordinate, which samplers turn into the distance from the lobe's axis, has its sample.
-vec2 brdfPoint(int i, int n, uvec2 shift)
+vec2 brdfPoint(int i, float inverse, uvec2 shift)
 {
-  vec2 offset = vec2(uvec2(shift.x, shift.y + uint(i) * 2654435769u) >> 8u) * (1.0 / 16777216.0);
-  return vec2(min((float(i) + offset.x) / float(n), 0.99999994), offset.y);
+  vec2 offset = brdfUnit(uvec2(shift.x, shift.y + uint(i) * 2654435769u));
+  return vec2(min((float(i) + offset.x) * inverse, 0.99999994), offset.y);
 }

@@ -6,10 +6,10 @@ struct brdfMap
   vec2 texel;   // 1 / size of the picture
 };
 
-// Position on the finest level's square, [0, 1]^2, of a direction whose |x| + |y| + |z| is `norm`.
-vec2 brdfProject(vec3 direction, float norm)
+// Position on the finest level's square, [0, 1]^2, of a direction, `inverse` being 1 / (|x| + |y| + |z|).
+vec2 brdfProject(vec3 direction, float inverse)
 {
-  vec2 p = direction.xz / norm;
+  vec2 p = direction.xz * inverse;
   if (direction.y < 0.0)
   {
     vec2 folded = 1.0 - abs(p.yx);

@@ -1,5 +1,8 @@
 #include "vtkBRDFEnvironment.h"
 
+#include "vtkBRDFCompatibility.h"
+#include VTK_BRDF_GL_LOADER_HEADER
+
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -12,7 +15,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <optional>
+#include <type_traits>
 
 namespace
 {
@@ -23,24 +28,34 @@ brdf::Direction Unrotated(const double direction[3], double degrees)
   return brdf::normalized({ c * direction[0] - s * direction[2], direction[1], s * direction[0] + c * direction[2] });
 }
 
-// A picture of four floats a texel on the device, read bilinearly.
-vtkSmartPointer<vtkTextureObject> Upload(const float* texels,
+// A picture of four numbers a texel on the device: floats, read bilinearly, or integers.
+template<class Number>
+vtkSmartPointer<vtkTextureObject> Upload(const Number* texels,
                                          std::size_t width,
                                          std::size_t height,
                                          int wrap,
                                          vtkOpenGLRenderWindow* window)
 {
+  constexpr bool integers = std::is_same_v<Number, std::uint32_t>;
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
   texture->SetWrapS(wrap);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  texture->SetMinificationFilter(vtkTextureObject::Linear);
+  texture->SetMagnificationFilter(integers ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
+  texture->SetMinificationFilter(integers ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
+  if (integers)
+  {
+    texture->SetInternalFormat(GL_RGBA32UI);
+    texture->SetFormat(GL_RGBA_INTEGER);
+    texture->SetDataType(GL_UNSIGNED_INT);
+  }
   const auto largest = static_cast<std::size_t>(vtkTextureObject::GetMaximumTextureSize(window));
   // VTK's signature wants a pointer to what is not constant; it reads only.
-  if (std::max(width, height) > largest ||
-      !texture->Create2DFromRaw(
-        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT, const_cast<float*>(texels)))
+  if (std::max(width, height) > largest || !texture->Create2DFromRaw(static_cast<unsigned int>(width),
+                                                                     static_cast<unsigned int>(height),
+                                                                     4,
+                                                                     integers ? VTK_UNSIGNED_INT : VTK_FLOAT,
+                                                                     const_cast<Number*>(texels)))
   {
     throw brdf::Error(brdf::Error::Kind::Device,
                       { "cannot make the texture of an environment map",
@@ -65,6 +80,7 @@ public:
   void Release()
   {
     this->RadianceTexture = nullptr;
+    this->FootprintTexture = nullptr;
     this->DiffuseTexture = nullptr;
     this->Window = nullptr;
   }
@@ -73,7 +89,8 @@ public:
   std::optional<brdf::OctahedralMap> Radiance;
   brdf::Image Diffuse;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkSmartPointer<vtkTextureObject> RadianceTexture, DiffuseTexture;
+  vtkSmartPointer<vtkTextureObject> RadianceTexture, FootprintTexture, DiffuseTexture;
+  float FootprintUnit = 1;
 };
 
 vtkStandardNewMacro(vtkBRDFEnvironment);
@@ -167,6 +184,10 @@ void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window)
   const brdf::OctahedralMap& radiance = *data.Radiance;
   data.RadianceTexture =
     Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+  const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
+  data.FootprintTexture =
+    Upload(footprints.words.data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+  data.FootprintUnit = footprints.unit;
   data.DiffuseTexture =
     Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);
   data.Window = window;
@@ -175,6 +196,7 @@ void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window)
 void vtkBRDFEnvironment::ActivateTextures()
 {
   this->Data->RadianceTexture->Activate();
+  this->Data->FootprintTexture->Activate();
   this->Data->DiffuseTexture->Activate();
 }
 
@@ -184,6 +206,8 @@ void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
   const float texel[2] = { 1.0f / static_cast<float>(data.Radiance->width()),
                            1.0f / static_cast<float>(data.Radiance->height()) };
   program->SetUniformi("brdfRadiancePicture", data.RadianceTexture->GetTextureUnit());
+  program->SetUniformi("brdfFootprints", data.FootprintTexture->GetTextureUnit());
+  program->SetUniformf("brdfFootprintUnit", data.FootprintUnit);
   program->SetUniformf("brdfRadianceMap.size", static_cast<float>(data.Radiance->size()));
   program->SetUniformf("brdfRadianceMap.last", static_cast<float>(data.Radiance->levels() - 1));
   program->SetUniform2f("brdfRadianceMap.texel", texel);
@@ -193,6 +217,7 @@ void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
 void vtkBRDFEnvironment::DeactivateTextures()
 {
   this->Data->RadianceTexture->Deactivate();
+  this->Data->FootprintTexture->Deactivate();
   this->Data->DiffuseTexture->Deactivate();
 }
 

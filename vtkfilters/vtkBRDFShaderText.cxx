@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace
 {
@@ -98,31 +99,34 @@ std::string vtkBRDFShaderText::TermText(std::size_t index) const
          arguments + "float " + name + "_pdf(vec3 wi, vec3 wo)\n{\n  return " + model + "_pdf(wi, wo" + arguments;
 }
 
-// Environment light on one term by filtered importance sampling, without its scale.
+// Environment light on one term by filtered importance sampling, without its scale. Several samples a turn, each step
+// for all of them: on processors a sample is one long chain of dependent operations, and chains side by side overlap.
 std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
 {
+  constexpr int together = 3;
   const std::string name = "brdfTerm" + std::to_string(index);
-  return "vec3 " + name +
-         "_reflected(vec3 wo, mat3 frame, uvec2 shift, int samples)\n"
-         "{\n"
-         "  vec3 sum = vec3(0.0);\n"
-         "  for (int i = 0; i < samples; ++i)\n"
-         "  {\n"
-         "    vec3 wi = " +
-         name +
-         "_sample(wo, brdfPoint(i, samples, shift));\n"
-         "    float density = " +
-         name +
-         "_pdf(wi, wo);\n"
-         "    if (wi.z > 0.0 && density > 0.0)\n"
-         "    {\n"
-         "      sum += brdfRadiance(frame * wi, density * float(samples)) * (" +
-         name +
-         "_shape(wi, wo) * wi.z / density);\n"
-         "    }\n"
-         "  }\n"
-         "  return samples > 0 ? sum / float(samples) : vec3(0.0);\n"
-         "}\n";
+  std::string text = "vec3 " + name +
+                     "_reflected(vec3 wo, mat3 frame, uvec2 shift, int samples)\n"
+                     "{\n"
+                     "  vec3 sum = vec3(0.0);\n"
+                     "  float share = 1.0 / float(max(samples, 1));\n"
+                     "  for (int i = 0; i < samples; i += " +
+                     std::to_string(together) + ")\n  {\n";
+  const std::string lines[] = { "vec3 wi# = " + name + "_sample(wo, brdfPoint(i + #, share, shift));\n",
+                                "float density# = " + name + "_pdf(wi#, wo);\n",
+                                "float inverse# = share / density#;\n",
+                                "float weight# = " + name + "_shape(wi#, wo) * wi#.z * inverse#;\n",
+                                "bool counts# = i + # < samples && wi#.z > 0.0 && density# > 0.0;\n",
+                                "vec3 light# = brdfRadiance(frame * wi#, inverse#);\n",
+                                "sum += counts# ? light# * weight# : vec3(0.0);\n" };
+  for (const std::string& line : lines)
+  {
+    for (int k = 0; k < together; ++k)
+    {
+      text += "    " + std::regex_replace(line, std::regex("#"), std::to_string(k));
+    }
+  }
+  return text + "  }\n  return sum;\n}\n";
 }
 
 std::string vtkBRDFShaderText::ValueText() const

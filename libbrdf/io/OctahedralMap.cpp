@@ -25,6 +25,24 @@ Direction unfolded(double x, double z) {
   return {std::copysign(1 - std::abs(z), x), y, std::copysign(1 - std::abs(x), z)};
 }
 
+/// See Footprints. `part`, [0, 1), decides how much of a step is left out when rounding down.
+std::uint32_t packed(const float* colour, float unit, float part) {
+  const float largest = std::max({colour[0], colour[1], colour[2], 0.0f});
+  int exponent = 0;
+  std::frexp(largest / (511 * unit), &exponent);
+  std::uint32_t word = 0;
+  for (exponent = std::clamp(exponent, -31, 0);; ++exponent) {
+    word = static_cast<std::uint32_t>(exponent + 31) << 27;
+    bool fits = true;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+      const float steps = std::floor(std::ldexp(std::max(colour[channel], 0.0f) / unit, -exponent) + part);
+      fits = fits && steps < 512;
+      word |= static_cast<std::uint32_t>(std::min(steps, 511.0f)) << (9 * channel);
+    }
+    if (fits || exponent == 0) return word;
+  }
+}
+
 }  // namespace
 
 OctahedralMap::OctahedralMap(std::size_t size, const std::vector<float>& texels) : size_(size) {
@@ -145,6 +163,28 @@ double OctahedralMap::solidAngle(std::size_t n, std::size_t column, std::size_t 
   const Direction &a = corners[first], &b = corners[first + 1], &c = corners[(first + 2) % 4],
                   &d = corners[(first + 3) % 4];
   return triangleSolidAngle(a, b, c) + triangleSolidAngle(a, c, d);
+}
+
+OctahedralMap::Footprints OctahedralMap::footprints() const {
+  float largest = 0;
+  for (std::size_t i = 0; i < picture_.size(); ++i)
+    if (i % 4 < 3) largest = std::max(largest, picture_[i]);
+  Footprints result;
+  // A power of two, so that equal numbers stay equal and 1 stays 1.
+  if (largest > 0) result.unit = std::exp2(std::ceil(std::log2(largest / 511)));
+  result.words.resize(4 * width_ * height_);
+  parallelFor(height_, 16, [&](std::size_t first, std::size_t last) {
+    for (std::size_t row = first; row < last; ++row)
+      for (std::size_t column = 0; column < width_; ++column)
+        for (std::size_t k = 0; k < 4; ++k) {
+          const std::size_t x = std::min(column + k % 2, width_ - 1), y = std::min(row + k / 2, height_ - 1);
+          // Dithered by the R2 sequence (M. Roberts, 2018): the mean over a few texels is right to far below a step.
+          const double part = 0.7548776662466927 * static_cast<double>(x) + 0.5698402909980532 * static_cast<double>(y);
+          result.words[4 * (row * width_ + column) + k] =
+              packed(picture_.data() + 4 * (y * width_ + x), result.unit, static_cast<float>(part - std::floor(part)));
+        }
+  });
+  return result;
 }
 
 }  // namespace brdf

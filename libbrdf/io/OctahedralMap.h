@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace brdf {
@@ -31,6 +32,16 @@ class BRDF_EXPORT OctahedralMap {
   std::size_t width() const { return width_; }
   std::size_t height() const { return height_; }
   const std::vector<float>& picture() const { return picture_; }  ///< width * height * 4
+
+  /// What a bilinear look-up reads, packed so that it is one fetch of four integers: at a texel of `picture` the
+  /// colours of that texel, the next in its row, and the two above them (row + 1).
+  struct Footprints {
+    std::vector<std::uint32_t> words;  ///< width() * height() * 4
+    /// A word holds R, G, B in 9 bits each from the lowest on and an exponent e above: each colour is its 9 bits times
+    /// 2^(e - 31) times this: within 1/256 of the largest of the three, in the mean over neighbours far nearer.
+    float unit = 1;
+  };
+  Footprints footprints() const;
 
   /// The texel of a level at column and row, each in [-1, n_k] with the border.
   const float* texel(std::size_t level, std::ptrdiff_t column, std::ptrdiff_t row) const;
