@@ -26,7 +26,7 @@ Direction unfolded(double x, double z) {
 }
 
 /// See Footprints. `part`, [0, 1), decides how much of a step is left out when rounding down.
-std::uint32_t packed(const float* colour, float unit, float part) {
+std::uint32_t packed(const float* colour, float unit, double part) {
   const float largest = std::max({colour[0], colour[1], colour[2], 0.0f});
   int exponent = 0;
   std::frexp(largest / (511 * unit), &exponent);
@@ -35,9 +35,10 @@ std::uint32_t packed(const float* colour, float unit, float part) {
     word = static_cast<std::uint32_t>(exponent + 31) << 27;
     bool fits = true;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-      const float steps = std::floor(std::ldexp(std::max(colour[channel], 0.0f) / unit, -exponent) + part);
+      const double steps =
+          std::floor(std::ldexp(double{std::max(colour[channel], 0.0f)} / double{unit}, -exponent) + part);
       fits = fits && steps < 512;
-      word |= static_cast<std::uint32_t>(std::min(steps, 511.0f)) << (9 * channel);
+      word |= static_cast<std::uint32_t>(std::min(steps, 511.0)) << (9 * channel);
     }
     if (fits || exponent == 0) return word;
   }
@@ -181,7 +182,7 @@ OctahedralMap::Footprints OctahedralMap::footprints() const {
           // Dithered by the R2 sequence (M. Roberts, 2018): the mean over a few texels is right to far below a step.
           const double part = 0.7548776662466927 * static_cast<double>(x) + 0.5698402909980532 * static_cast<double>(y);
           result.words[4 * (row * width_ + column) + k] =
-              packed(picture_.data() + 4 * (y * width_ + x), result.unit, static_cast<float>(part - std::floor(part)));
+              packed(picture_.data() + 4 * (y * width_ + x), result.unit, part - std::floor(part));
         }
   });
   return result;
