@@ -125,6 +125,17 @@ void vtkBRDFEnvironment::SetConstant(double red, double green, double blue)
   this->Modified();
 }
 
+void vtkBRDFEnvironment::SetMap(const brdf::EnvironmentMap& map, double scale)
+{
+  brdf::Image picture = map.picture();
+  for (float& value : picture.values)
+  {
+    value *= static_cast<float>(scale);
+  }
+  this->Data->SetMap(brdf::EnvironmentMap(picture));
+  this->Modified();
+}
+
 void vtkBRDFEnvironment::SetMaximumMapSize(int size)
 {
   size = std::max(2, std::min(size, 8192));

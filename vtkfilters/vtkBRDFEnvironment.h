@@ -66,8 +66,11 @@ public:
   int GetMapSize() const;
 
 #ifndef __VTK_WRAP__
-  /** The map itself. */
+  ///@{
+  /** The map itself, with a factor on its radiance. */
+  void SetMap(const brdf::EnvironmentMap& map, double scale = 1);
   const brdf::EnvironmentMap& GetMap() const;
+  ///@}
 
   /** Makes the maps and their textures for a window, whose context is current, where they are missing. Throws
    * brdf::Error. */

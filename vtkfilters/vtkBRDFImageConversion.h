@@ -2,6 +2,7 @@
 #define vtkBRDFImageConversion_h
 // Pictures of the core (rows from the top) and of VTK (rows from the bottom). For .cxx files only.
 #include "vtkImageData.h"
+#include "vtkSmartPointer.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/io/Image.h>
@@ -34,6 +35,21 @@ inline brdf::Image FromVtk(vtkImageData* picture)
     std::copy_n(from + (image.height - 1 - y) * row, row, image.pixel(0, y));
   }
   return image;
+}
+
+// The same way back.
+inline vtkSmartPointer<vtkImageData> ToVtk(const brdf::Image& image)
+{
+  auto picture = vtkSmartPointer<vtkImageData>::New();
+  picture->SetDimensions(static_cast<int>(image.width), static_cast<int>(image.height), 1);
+  picture->AllocateScalars(VTK_FLOAT, static_cast<int>(image.channels));
+  auto* to = static_cast<float*>(picture->GetScalarPointer());
+  const std::size_t row = image.width * image.channels;
+  for (std::size_t y = 0; y < image.height; ++y)
+  {
+    std::copy_n(image.pixel(0, image.height - 1 - y), row, to + y * row);
+  }
+  return picture;
 }
 }
 #endif

@@ -3,61 +3,35 @@
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFHeadlessRenderWindow.h"
+#include "vtkBRDFImageConversion.h"
 #include "vtkBRDFPolyDataMapper.h"
 #include "vtkBRDFRadiancePass.h"
+#include "vtkBRDFSurface.h"
 
 #include "vtkActor.h"
+#include "vtkBoundingBox.h"
 #include "vtkCamera.h"
-#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
 #include "vtkMath.h"
+#include "vtkMatrix4x4.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataNormals.h"
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
-#include "vtkSphereSource.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/render/Scene.h>
 
 #include <algorithm>
 #include <cmath>
-
-namespace
-{
-// A sphere of radius 1 whose normals are exact and whose tangents run around +y. Between vertices the interpolated
-// normal is off by at most (edge angle)^2 / 8 = 7.5e-5 rad.
-vtkSmartPointer<vtkPolyData> MakeSphere()
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(1);
-  source->SetThetaResolution(256);
-  source->SetPhiResolution(129);
-  source->Update();
-  vtkSmartPointer<vtkPolyData> sphere = source->GetOutput();
-  vtkNew<vtkFloatArray> tangents;
-  tangents->SetName("Tangents");
-  tangents->SetNumberOfComponents(3);
-  tangents->SetNumberOfTuples(sphere->GetNumberOfPoints());
-  for (vtkIdType point = 0; point < sphere->GetNumberOfPoints(); ++point)
-  {
-    double n[3];
-    sphere->GetPoint(point, n);
-    const double length = std::hypot(n[0], n[2]);
-    const double tangent[3] = { length > 0 ? n[2] / length : 1, 0, length > 0 ? -n[0] / length : 0 };
-    tangents->SetTuple(point, tangent);
-  }
-  sphere->GetPointData()->SetTangents(tangents);
-  return sphere;
-}
-}
+#include <vector>
 
 class vtkBRDFRender::Scene
 {
@@ -67,25 +41,60 @@ public:
     this->Window->AddRenderer(this->Renderer);
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->SetPass(this->Pass);
-    this->Renderer->AddActor(this->Actor);
-    this->Actor->SetMapper(this->Mapper);
-    this->Mapper->SetBRDFData(this->Material);
-    this->Pass->BeforeFrame = [this](int frame) { this->Mapper->SetSeed(frame); };
+    this->Add(this->Input);
+    this->Pass->BeforeFrame = [this](int frame)
+    {
+      for (Object* object : this->Objects())
+      {
+        object->Mapper->SetSeed(frame);
+      }
+    };
+  }
+
+  // One thing of one material.
+  struct Object
+  {
+    vtkNew<vtkActor> Actor;
+    vtkNew<vtkBRDFPolyDataMapper> Mapper;
+    vtkNew<vtkBRDF> Material;
+    vtkSmartPointer<vtkPolyData> Surface; // null for the sphere
+  };
+
+  void Add(Object& object)
+  {
+    object.Mapper->SetBRDFData(object.Material);
+    object.Actor->SetMapper(object.Mapper);
+    this->Renderer->AddActor(object.Actor);
+  }
+
+  // The input's, where it has a material, and the others.
+  std::vector<Object*> Objects()
+  {
+    std::vector<Object*> objects;
+    if (this->Input.Actor->GetVisibility())
+    {
+      objects.push_back(&this->Input);
+    }
+    for (const auto& object : this->Others)
+    {
+      objects.push_back(object.get());
+    }
+    return objects;
   }
 
   vtkNew<vtkBRDFHeadlessRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkBRDFRadiancePass> Pass;
-  vtkNew<vtkActor> Actor;
-  vtkNew<vtkBRDFPolyDataMapper> Mapper;
-  vtkNew<vtkBRDF> Material;
   vtkNew<vtkCamera> Camera;
-  vtkSmartPointer<vtkPolyData> Sphere;
+  Object Input;
+  std::vector<std::unique_ptr<Object>> Others;
+  vtkSmartPointer<vtkPolyData> Sphere = vtkBRDFSurface::UnitSphere();
 };
 
 vtkStandardNewMacro(vtkBRDFRender);
 vtkCxxSetObjectMacro(vtkBRDFRender, Environment, vtkBRDFEnvironment);
 vtkCxxSetObjectMacro(vtkBRDFRender, Camera, vtkCamera);
+vtkCxxSetObjectMacro(vtkBRDFRender, BackgroundImage, vtkImageData);
 
 vtkBRDFRender::vtkBRDFRender()
 {
@@ -98,6 +107,7 @@ vtkBRDFRender::~vtkBRDFRender()
   this->Graphics.reset();
   this->SetEnvironment(nullptr);
   this->SetCamera(nullptr);
+  this->SetBackgroundImage(nullptr);
 }
 
 vtkBRDFRender::Scene& vtkBRDFRender::GetScene()
@@ -117,6 +127,7 @@ int vtkBRDFRender::FillInputPortInformation(int port, vtkInformation* info)
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1); // where there are other objects
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
@@ -134,7 +145,9 @@ vtkImageData* vtkBRDFRender::GetOutput()
 vtkMTimeType vtkBRDFRender::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkObject* part : { static_cast<vtkObject*>(this->Environment), static_cast<vtkObject*>(this->Camera) })
+  for (vtkObject* part : { static_cast<vtkObject*>(this->Environment),
+                           static_cast<vtkObject*>(this->Camera),
+                           static_cast<vtkObject*>(this->BackgroundImage) })
   {
     time = part ? std::max(time, part->GetMTime()) : time;
   }
@@ -156,94 +169,87 @@ int vtkBRDFRender::RequestInformation(vtkInformation*,
   vtkInformation* info = outputs->GetInformationObject(0);
   const int extent[6] = { 0, this->Size[0] - 1, 0, this->Size[1] - 1, 0, 0 };
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, this->Background == BACKGROUND_TRANSPARENT ? 4 : 3);
   return 1;
 }
 
-// Sets the camera up; the radius of the object's bounding sphere. Works on a copy, so that drawing changes nothing that
-// the pipeline watches.
-double vtkBRDFRender::PlaceCamera(const double bounds[6])
+// What is to be drawn; throws where it cannot be. Needs no device.
+void vtkBRDFRender::PrepareObjects(vtkInformationVector** inputs)
 {
   Scene& scene = this->GetScene();
-  vtkCamera* camera = scene.Camera;
-  scene.Renderer->SetActiveCamera(camera);
-  // Of the sphere the bounds give the radius itself, of other objects half their diagonal.
-  double radius = 1;
-  if (this->GetNumberOfInputConnections(1) > 0)
+  const bool hasInput = this->GetNumberOfInputConnections(0) > 0;
+  scene.Input.Actor->SetVisibility(hasInput);
+  if (!hasInput && scene.Others.empty())
   {
-    radius = std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]) / 2;
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "nothing to render", {}, "no material and no objects", "an input, or AddObject" });
   }
-  if (this->Camera)
+  if (hasInput)
   {
-    camera->DeepCopy(this->Camera);
-    scene.Renderer->ResetCameraClippingRange();
-    return radius;
+    scene.Input.Material->SetBrdf(GetInputBrdf(inputs));
+    vtkPolyData* object = vtkPolyData::GetData(inputs[1]);
+    scene.Input.Surface = object ? vtkBRDFSurface::Complete(object) : nullptr;
   }
-  const double center[3] = { (bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2, (bounds[4] + bounds[5]) / 2 };
-  const double vertical = vtkMath::RadiansFromDegrees(this->ViewAngle) / 2;
-  const double aspect = static_cast<double>(this->Size[0]) / this->Size[1];
-  const double narrow = std::min(vertical, std::atan(std::tan(vertical) * aspect));
-  const double distance = 1.08 * radius / std::sin(narrow);
-  const double azimuth = vtkMath::RadiansFromDegrees(this->Azimuth);
-  const double elevation = vtkMath::RadiansFromDegrees(this->Elevation);
-  vtkNew<vtkCamera> placed;
-  placed->SetFocalPoint(center);
-  placed->SetPosition(center[0] + distance * std::cos(elevation) * std::sin(azimuth),
-                      center[1] + distance * std::sin(elevation),
-                      center[2] + distance * std::cos(elevation) * std::cos(azimuth));
-  placed->SetViewUp(0, 1, 0);
-  placed->SetViewAngle(this->ViewAngle);
-  placed->SetClippingRange(std::max(distance - 1.1 * radius, 1e-3 * distance), distance + 1.1 * radius);
-  camera->DeepCopy(placed);
-  return radius;
+  for (Scene::Object* object : scene.Objects())
+  {
+    object->Mapper->SetInputDataObject(object->Surface ? object->Surface : scene.Sphere);
+    object->Mapper->SetEnvironment(this->Environment);
+    object->Mapper->SetNumberOfSamples(this->NumberOfSamples);
+    object->Mapper->SetLevelBias(this->LevelBias);
+    object->Mapper->SetExposure(this->Exposure);
+    object->Mapper->SetIlluminant(this->Illuminant);
+    object->Mapper->SetObserver(this->Observer);
+    object->Mapper->SetAdaptation(this->Adaptation);
+  }
 }
 
-int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+// Sets the camera up. Works on a copy, so that drawing changes nothing that the pipeline watches.
+void vtkBRDFRender::PrepareCamera()
 {
   Scene& scene = this->GetScene();
-  if (!scene.Window->IsAvailable())
+  scene.Renderer->SetActiveCamera(scene.Camera);
+  vtkBoundingBox box;
+  double smallest = VTK_DOUBLE_MAX;
+  for (Scene::Object* object : scene.Objects())
   {
-    throw brdf::Error(brdf::Error::Kind::Device, { scene.Window->GetErrorText(), {}, {}, {} });
+    const double* bounds = object->Actor->GetBounds();
+    box.AddBounds(bounds);
+    smallest = std::min(smallest, vtkBoundingBox(bounds).GetDiagonalLength() / 2);
   }
-  scene.Material->SetBrdf(GetInputBrdf(inputs));
+  // Neighbours a fiftieth of the smallest object apart in depth are different surfaces.
+  scene.Pass->DepthStep = smallest / 50;
+  if (this->Camera)
+  {
+    scene.Camera->DeepCopy(this->Camera);
+    scene.Renderer->ResetCameraClippingRange();
+    return;
+  }
+  // Of the sphere the bounds give the radius itself, of other objects half their diagonal.
+  const bool sphere = scene.Others.empty() && !scene.Input.Surface;
+  const double radius = sphere ? 1 : box.GetDiagonalLength() / 2;
+  brdf::Position center;
+  box.GetCenter(center.data());
+  const brdf::SceneCamera placed = brdf::cameraAround(center,
+                                                      radius,
+                                                      this->Azimuth,
+                                                      this->Elevation,
+                                                      this->ViewAngle,
+                                                      static_cast<double>(this->Size[0]) / this->Size[1]);
+  const double distance = std::sqrt(vtkMath::Distance2BetweenPoints(placed.position.data(), center.data()));
+  vtkNew<vtkCamera> camera;
+  camera->SetFocalPoint(placed.target.data());
+  camera->SetPosition(placed.position.data());
+  camera->SetViewUp(0, 1, 0);
+  camera->SetViewAngle(this->ViewAngle);
+  camera->SetClippingRange(std::max(distance - 1.1 * radius, 1e-3 * distance), distance + 1.1 * radius);
+  scene.Camera->DeepCopy(camera);
+}
 
-  vtkPolyData* object = vtkPolyData::GetData(inputs[1]);
-  if (object && object->GetNumberOfCells() == 0)
-  {
-    throw brdf::Error(brdf::Error::Kind::Value, { "the object to render is empty", {}, "no cells", {} });
-  }
-  if (object && !object->GetPointData()->GetNormals())
-  {
-    vtkNew<vtkPolyDataNormals> normals;
-    normals->SetInputData(object);
-    normals->SetFeatureAngle(40);
-    normals->Update();
-    scene.Mapper->SetInputDataObject(normals->GetOutput());
-  }
-  else if (object)
-  {
-    scene.Mapper->SetInputDataObject(object);
-  }
-  else
-  {
-    if (!scene.Sphere)
-    {
-      scene.Sphere = MakeSphere();
-    }
-    scene.Mapper->SetInputDataObject(scene.Sphere);
-  }
-  scene.Mapper->SetEnvironment(this->Environment);
-  scene.Mapper->SetNumberOfSamples(this->NumberOfSamples);
-  scene.Mapper->SetLevelBias(this->LevelBias);
-  scene.Mapper->SetExposure(this->Exposure);
-  scene.Mapper->SetIlluminant(this->Illuminant);
-  scene.Mapper->SetObserver(this->Observer);
-  scene.Mapper->SetAdaptation(this->Adaptation);
-  // Neighbours a fiftieth of the object apart in depth are different surfaces.
-  scene.Pass->DepthStep = this->PlaceCamera(scene.Mapper->GetBounds()) / 50;
-
+void vtkBRDFRender::PrepareBackground()
+{
+  Scene& scene = this->GetScene();
   const bool showsEnvironment = this->Environment && this->Background == BACKGROUND_ENVIRONMENT;
-  scene.Renderer->SetBackground(this->BackgroundColor);
+  scene.Renderer->SetBackground(0, 0, 0); // and alpha 0: see Compose
   scene.Pass->Background = showsEnvironment ? this->Environment : nullptr;
   if (showsEnvironment)
   {
@@ -251,32 +257,109 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
     scene.Pass->BackgroundLevel = std::max(0.0, std::log2(std::max(this->BackgroundBlur, 1e-6) / texel));
     scene.Pass->BackgroundGain = std::exp2(this->Exposure);
   }
+}
+
+// The picture from what the pass has drawn, over a background that is not the environment.
+void vtkBRDFRender::Compose(vtkImageData* output)
+{
+  const std::vector<float>& drawn = this->GetScene().Pass->Pixels;
+  brdf::SceneBackground background;
+  if (this->Background == BACKGROUND_COLOR)
+  {
+    background.kind = brdf::SceneBackground::Kind::Colour;
+    std::copy_n(this->BackgroundColor, 3, background.rgb.begin());
+  }
+  else if (this->Background == BACKGROUND_IMAGE && this->BackgroundImage)
+  {
+    background.kind = brdf::SceneBackground::Kind::Picture;
+    background.picture = std::make_shared<const brdf::Image>(vtkBRDFImageConversion::FromVtk(this->BackgroundImage));
+  }
+  const std::size_t channels = this->Background == BACKGROUND_TRANSPARENT ? 4 : 3;
+  const auto width = static_cast<std::size_t>(this->Size[0]), height = static_cast<std::size_t>(this->Size[1]);
+  output->SetDimensions(this->Size[0], this->Size[1], 1);
+  output->AllocateScalars(VTK_FLOAT, static_cast<int>(channels));
+  output->GetPointData()->GetScalars()->SetName("radiance");
+  auto* to = static_cast<float*>(output->GetScalarPointer());
+  for (std::size_t pixel = 0; pixel < width * height; ++pixel)
+  {
+    std::copy_n(drawn.data() + 4 * pixel, channels, to + channels * pixel);
+    const double open = 1.0 - static_cast<double>(drawn[4 * pixel + 3]);
+    if (open > 0 && background.kind != brdf::SceneBackground::Kind::Environment)
+    {
+      const brdf::Rgb behind = brdf::backgroundRadiance(background,
+                                                        (static_cast<double>(pixel % width) + 0.5) / this->Size[0],
+                                                        1 - (static_cast<double>(pixel / width) + 0.5) / this->Size[1],
+                                                        static_cast<double>(width) / static_cast<double>(height));
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        to[channels * pixel + channel] += static_cast<float>(open * behind[channel]);
+      }
+    }
+  }
+}
+
+int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  this->PrepareObjects(inputs);
+  Scene& scene = this->GetScene();
+  if (!scene.Window->IsAvailable())
+  {
+    throw brdf::Error(brdf::Error::Kind::Device, { scene.Window->GetErrorText(), {}, {}, {} });
+  }
+  this->PrepareCamera();
+  this->PrepareBackground();
   scene.Pass->EdgeSamples = this->EdgeSamples;
   std::copy_n(this->Size, 2, scene.Pass->Size);
   scene.Window->SetSize(this->Size);
   scene.Window->Render();
-  for (const std::string& error : { scene.Mapper->GetErrorText(), scene.Pass->ErrorText })
+  std::vector<std::string> errors{ scene.Pass->ErrorText };
+  for (Scene::Object* object : scene.Objects())
+  {
+    errors.push_back(object->Mapper->GetErrorText());
+  }
+  for (const std::string& error : errors)
   {
     if (!error.empty())
     {
       throw brdf::Error(brdf::Error::Kind::Value, { error, {}, {}, {} });
     }
   }
-  const std::size_t pixels = static_cast<std::size_t>(this->Size[0]) * static_cast<std::size_t>(this->Size[1]);
-  if (scene.Pass->Pixels.size() != 4 * pixels)
+  if (scene.Pass->Pixels.empty())
   {
     throw brdf::Error(brdf::Error::Kind::Device, { "nothing was drawn", {}, scene.Window->GetDeviceDescription(), {} });
   }
-  vtkImageData* output = vtkImageData::GetData(outputs);
-  output->SetDimensions(this->Size[0], this->Size[1], 1);
-  output->AllocateScalars(VTK_FLOAT, 3);
-  output->GetPointData()->GetScalars()->SetName("radiance");
-  auto* to = static_cast<float*>(output->GetScalarPointer());
-  for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-  {
-    std::copy_n(scene.Pass->Pixels.data() + 4 * pixel, 3, to + 3 * pixel);
-  }
+  this->Compose(vtkImageData::GetData(outputs));
   return 1;
+}
+
+void vtkBRDFRender::AddObject(vtkPolyData* surface, vtkBRDF* material, vtkMatrix4x4* placement)
+{
+  auto object = std::make_unique<Scene::Object>();
+  object->Material->ShallowCopy(material);
+  try
+  {
+    object->Surface = surface ? vtkBRDFSurface::Complete(surface) : nullptr;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return;
+  }
+  object->Actor->SetUserMatrix(placement);
+  this->GetScene().Add(*object);
+  this->GetScene().Others.push_back(std::move(object));
+  this->Modified();
+}
+
+void vtkBRDFRender::RemoveAllObjects()
+{
+  Scene& scene = this->GetScene();
+  for (const auto& object : scene.Others)
+  {
+    scene.Renderer->RemoveActor(object->Actor);
+  }
+  scene.Others.clear();
+  this->Modified();
 }
 
 void vtkBRDFRender::AddDirectionalLight(double theta, double phi, double r, double g, double b)
@@ -322,7 +405,15 @@ std::string vtkBRDFRender::GetDeviceDescription()
 
 int vtkBRDFRender::GetNumberOfShaderBuilds()
 {
-  return this->Graphics ? this->Graphics->Mapper->GetNumberOfShaderBuilds() : 0;
+  int builds = 0;
+  if (this->Graphics)
+  {
+    for (Scene::Object* object : this->Graphics->Objects())
+    {
+      builds += object->Mapper->GetNumberOfShaderBuilds();
+    }
+  }
+  return builds;
 }
 
 void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)

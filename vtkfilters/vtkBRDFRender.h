@@ -10,6 +10,13 @@ class vtkAlgorithmOutput;
 class vtkBRDFEnvironment;
 class vtkCamera;
 class vtkImageData;
+class vtkMatrix4x4;
+class vtkPolyData;
+namespace brdf
+{
+class EnvironmentMap;
+struct Scene;
+}
 
 /**
  * @class vtkBRDFRender
@@ -17,11 +24,12 @@ class vtkImageData;
  *
  * Input 0: the material (a sum of lobes, monochrome or RGB; see vtkBRDFPolyDataMapper). Input 1, optional: the object,
  * vtkPolyData; without it a sphere of radius 1 about the origin whose tangents run around the vertical. Normals are
- * made where the object has none (splitting edges sharper than 40 degrees). Output: vtkImageData, linear radiance times
+ * made where the object has none (splitting edges sharper than 40 degrees). More objects, each of its own material, are
+ * added by AddObject; where there are any, input 0 may be missing. Output: vtkImageData, linear radiance times
  * 2^Exposure, three floats a pixel. vtkBRDFToneMap makes it a PNG's, vtkBRDFEXRWriter an EXR.
  *
  * The world is right-handed with +y up, as in vtkBRDFEnvironment. Unless a camera is set, it looks at the middle of the
- * object, from +z turned by Azimuth about +y (counter-clockwise seen from above) and raised by Elevation, so far off
+ * objects, from +z turned by Azimuth about +y (counter-clockwise seen from above) and raised by Elevation, so far off
  * that the object's bounding sphere fills the picture up to a margin of 8 %.
  *
  * Draws headless (vtkBRDFHeadlessRenderWindow); the window, and with it the compiled shaders, are kept between updates.
@@ -35,6 +43,19 @@ public:
 
   /** The object. */
   void SetObjectConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+  ///@{
+  /** Objects besides the input's: a surface (null for the sphere of radius 1), its material and where it goes (null: as
+   * it is). An error, and nothing is added, where the surface has no polygons or a number that is not finite. */
+  void AddObject(vtkPolyData* surface, vtkBRDF* material, vtkMatrix4x4* placement = nullptr);
+  void RemoveAllObjects();
+  ///@}
+
+#ifndef __VTK_WRAP__
+  /** Replaces objects, lights, environment, background, camera and size by those of a scene. Throws brdf::Error where
+   * there is something that cannot be drawn. */
+  void SetScene(const brdf::Scene& scene);
+#endif
 
   /** The picture. */
   vtkImageData* GetOutput();
@@ -100,11 +121,14 @@ public:
   enum BackgroundType
   {
     BACKGROUND_ENVIRONMENT = 0, // the environment, where there is one (default)
-    BACKGROUND_COLOR = 1        // BackgroundColor
+    BACKGROUND_COLOR = 1,       // BackgroundColor
+    BACKGROUND_IMAGE = 2,       // BackgroundImage
+    BACKGROUND_TRANSPARENT = 3  // none: the output has a fourth component, the part of the pixel that objects cover, by
+                                // which the others are multiplied
   };
 
   ///@{
-  vtkSetClampMacro(Background, int, BACKGROUND_ENVIRONMENT, BACKGROUND_COLOR);
+  vtkSetClampMacro(Background, int, BACKGROUND_ENVIRONMENT, BACKGROUND_TRANSPARENT);
   vtkGetMacro(Background, int);
   ///@}
 
@@ -118,6 +142,13 @@ public:
   /** Linear radiance of a plain background; default black. Not scaled by Exposure. */
   vtkSetVector3Macro(BackgroundColor, double);
   vtkGetVector3Macro(BackgroundColor, double);
+  ///@}
+
+  ///@{
+  /** A picture of 1, 3 or 4 floats a pixel, linear radiance, scaled to cover the film about its middle. Not scaled by
+   * Exposure. */
+  virtual void SetBackgroundImage(vtkImageData* image);
+  vtkGetObjectMacro(BackgroundImage, vtkImageData);
   ///@}
 
   ///@{
@@ -161,11 +192,17 @@ private:
 
   class Scene;
   Scene& GetScene();
-  double PlaceCamera(const double bounds[6]);
+  void PrepareObjects(vtkInformationVector** inputs);
+  void PrepareCamera();
+  void PrepareBackground();
+  void Compose(vtkImageData* output);
 
-  std::unique_ptr<Scene> Graphics; // made when first needed
+  std::unique_ptr<Scene> Graphics;                      // made when first needed
+  std::shared_ptr<const brdf::EnvironmentMap> SceneMap; // of SetScene's environment, and the factor on it
+  double SceneMapScale = 1;
   vtkBRDFEnvironment* Environment = nullptr;
   vtkCamera* Camera = nullptr;
+  vtkImageData* BackgroundImage = nullptr;
   int Size[2] = { 512, 512 };
   int NumberOfSamples = 64;
   double LevelBias = 0;

@@ -96,6 +96,12 @@ void Arguments::option(const std::string& name, double& target, const Range& ran
       name, value);
 }
 
+void Arguments::option(const std::string& name, std::optional<double>& target, const Range& range,
+                       const std::string& value, const std::string& help) {
+  const auto read = [&target, name, range](const std::string& text) { target = numberOption(name, text, range); };
+  implementation_->keep(implementation_->app.add_option_function<std::string>(name, read, help), name, value);
+}
+
 void Arguments::option(const std::string& name, std::size_t& target, const Range& range, const std::string& help) {
   const auto read = [&target, name, range](const std::string& text) {
     const double number = numberOption(name, text, range);

@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ class Arguments {
   void option(const std::string& name, std::vector<std::string>& target, const std::string& value,
               const std::string& help);
   void option(const std::string& name, double& target, const Range& range, const std::string& value,
+              const std::string& help);
+  /// Without a default: empty when not given.
+  void option(const std::string& name, std::optional<double>& target, const Range& range, const std::string& value,
               const std::string& help);
   void option(const std::string& name, std::size_t& target, const Range& range, const std::string& help);
   /// An option that may stand alone: `given` says that it was there, `target` is empty without a value.

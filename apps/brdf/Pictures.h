@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -52,28 +53,20 @@ struct ErrorResult {
   std::string label, sampling;
 };
 
-struct Light {
-  enum class Kind { Environment, Directional, Point } kind;
-  std::string file;             ///< of an environment
-  std::vector<double> numbers;  ///< theta, phi in degrees, or x, y, z
-};
+/// How a scene becomes pictures.
 struct RenderPicture {
-  std::string material;
-  ReadOptions assumptions;
   ColourNames colours;
-  std::string object = "sphere";
-  std::vector<Light> lights;
-  std::size_t samples = 64;
-  PictureSize size;
-  double exposure = 0;  ///< stops
+  std::size_t samples = 64;  ///< of the environment, a pixel
+  double exposure = 0;       ///< stops
   std::string toneCurve = "clamp";
-  double rotation = 0;           ///< of the environment about the vertical, degrees
   std::vector<std::string> out;  ///< .png: tone-mapped sRGB; .exr: linear radiance
 };
-struct RenderResult {
+struct RenderedFrame {
+  Image radiance;  ///< linear sRGB; over no background with alpha
   std::string device;
-  double mean = 0;  ///< radiance averaged over pixels and channels
 };
+/// Draws one scene after another on the graphics device, keeping shaders and maps; one thread at a time.
+using FrameDrawer = std::function<RenderedFrame(const Scene&, const RenderPicture&)>;
 
 /// One material's directional albedo over the angle of the light.
 struct AlbedoCurves {
@@ -115,14 +108,20 @@ struct MontagePicture {
 struct PictureFunctions {
   void (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
-  RenderResult (*render)(const RenderPicture&);
+  /// Throws Error::Kind::Device when there is no headless OpenGL.
+  FrameDrawer (*frameDrawer)();
   void (*audit)(const AuditPicture&);
   void (*dotPlot)(const DotPlotPicture&);
   void (*montage)(const MontagePicture&);
   /// A mesh with normals (made where the file has none, splitting edges sharper than 40 degrees) from a .ply, .obj,
   /// .stl or .vtp file.
   TriangleMesh (*readMesh)(const std::string& path);
-  /// Linear radiance (three channels) as the .png that `request` asks for, without its other wishes.
+  /// A shape by name (docs/rendering.md). Throws Error::Kind::Value naming those that there are.
+  TriangleMesh (*makeShape)(const std::string& name);
+  /// Linear radiance from an OpenEXR, Radiance, PNG or JPEG file; the last two are taken for sRGB.
+  Image (*readPicture)(const std::string& path);
+  /// Linear radiance (three channels, or four with alpha) as the .png that `request` asks for, without its other
+  /// wishes.
   void (*writePng)(const Image& radiance, const RenderPicture& request, const std::string& path);
   /// How far the layout of one PNG is from another's: the share of the picture that differs, 0 to 1 (vtkImageDifference:
   /// pixels that differ wholly count 1, others in proportion; small differences and shifts by a pixel do not count).

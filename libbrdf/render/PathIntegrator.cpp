@@ -72,7 +72,10 @@ struct PathIntegrator::Batch {
 };
 
 PathIntegrator::PathIntegrator(const Scene& scene, std::size_t bounces)
-    : caster_(scene), lights_(scene.lights), bounces_(bounces) {
+    : caster_(scene),
+      lights_(scene.lights),
+      environmentVisible_(scene.background.kind == SceneBackground::Kind::Environment),
+      bounces_(bounces) {
   for (const BrdfPointer& material : scene.materials) materials_.push_back(withSampler(asRgb(material)));
   if (scene.environment) lighting_.emplace(*scene.environment);
 }
@@ -157,12 +160,13 @@ void PathIntegrator::shade(std::span<Path> paths, bool last, Batch& batch, Rgb* 
 }
 
 void PathIntegrator::trace(std::span<const Ray> rays, std::span<PathRandom> randoms, Rgb* radiance,
-                           std::uint64_t& evaluations, std::uint64_t& invalid) const {
+                           std::uint8_t* covered, std::uint64_t& evaluations, std::uint64_t& invalid) const {
   constexpr std::size_t kRouletteAfter = 3;
   Batch batch;
   std::vector<Path> paths;
   for (std::size_t k = 0; k < rays.size(); ++k) {
     radiance[k] = {};
+    covered[k] = 1;
     Path& path = paths.emplace_back(Path{k, rays[k]});
     path.random = randoms[k];
   }
@@ -175,7 +179,8 @@ void PathIntegrator::trace(std::span<const Ray> rays, std::span<PathRandom> rand
         path.wo = path.frame.local(back);
         continue;
       }
-      if (lighting_ && (depth > 0 || lighting_->visible())) {
+      if (depth == 0) covered[path.index] = 0;
+      if (lighting_ && (depth > 0 || environmentVisible_)) {
         const double share = depth > 0 ? path.density / (path.density + lighting_->pdf(path.ray.direction)) : 1.0;
         addScaled(radiance[path.index], path.throughput, lighting_->radiance(path.ray.direction), share);
       }

@@ -37,10 +37,11 @@ class PathIntegrator {
   /// `bounces`: surfaces that light may meet on its way to the camera, at least 1; 1 is direct light only.
   PathIntegrator(const Scene& scene, std::size_t bounces);
 
-  /// radiance[k] for rays[k], with the random numbers randoms[k]. Adds to `invalid` the evaluations where a material
-  /// has no value (taken for 0), to `evaluations` all. Safe to call on several threads.
-  void trace(std::span<const Ray> rays, std::span<PathRandom> randoms, Rgb* radiance, std::uint64_t& evaluations,
-             std::uint64_t& invalid) const;
+  /// radiance[k] for rays[k], with the random numbers randoms[k]; covered[k] is 1 where the ray meets an object, else
+  /// 0. Adds to `invalid` the evaluations where a material has no value (taken for 0), to `evaluations` all. Safe to
+  /// call on several threads.
+  void trace(std::span<const Ray> rays, std::span<PathRandom> randoms, Rgb* radiance, std::uint8_t* covered,
+             std::uint64_t& evaluations, std::uint64_t& invalid) const;
 
  private:
   struct Path;
@@ -54,6 +55,7 @@ class PathIntegrator {
   std::vector<BrdfPointer> materials_;  ///< RGB, with samplers
   std::vector<SceneLight> lights_;
   std::optional<SceneLighting> lighting_;
+  bool environmentVisible_;  ///< behind the objects
   std::size_t bounces_;
 };
 

@@ -1,15 +1,12 @@
 #pragma once
+#include <brdf/brdf_export.h>
+#include <brdf/render/Ray.h>
 #include <brdf/render/Scene.h>
 
 #include <limits>
 #include <memory>
 
 namespace brdf {
-
-struct Ray {
-  Position origin;
-  Direction direction;  ///< unit length
-};
 
 /// Where a ray meets a surface.
 struct SurfacePoint {
@@ -24,7 +21,7 @@ struct SurfacePoint {
 
 /// The scene's geometry, ready for rays (Embree). Immutable; safe to share among threads. Spheres are met in double
 /// precision, triangles in float.
-class RayCaster {
+class BRDF_EXPORT RayCaster {
  public:
   explicit RayCaster(const Scene& scene);
   ~RayCaster();

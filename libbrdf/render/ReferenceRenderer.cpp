@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
+#include <brdf/render/Lens.h>
 #include <brdf/render/PathIntegrator.h>
 #include <brdf/render/ReferenceRenderer.h>
 
@@ -15,52 +16,26 @@ namespace {
 // Paths traced in step: enough for batches of a material, few enough to stay in the second-level cache.
 constexpr std::size_t kPaths = 2048;
 
-/// Camera rays through places of the film, in pixels from its upper left corner.
-class Lens {
- public:
-  explicit Lens(const Scene& scene) : position_(scene.camera.position) {
-    const SceneCamera& camera = scene.camera;
-    Direction forward;
-    for (std::size_t k = 0; k < 3; ++k) forward[k] = camera.target[k] - camera.position[k];
-    forward = normalized(forward);
-    const Direction right = normalized(cross(forward, camera.up));
-    const Direction up = cross(right, forward);
-    const double w = double(scene.width), h = double(scene.height);
-    const double pixel = 2 * std::tan(radians(camera.viewAngle) / 2) / h;
-    for (std::size_t k = 0; k < 3; ++k) {
-      across_[k] = pixel * right[k];
-      down_[k] = -pixel * up[k];
-      corner_[k] = forward[k] - w / 2 * across_[k] - h / 2 * down_[k];
-    }
-  }
-  Ray through(double x, double y) const {
-    Direction d;
-    for (std::size_t k = 0; k < 3; ++k) d[k] = corner_[k] + x * across_[k] + y * down_[k];
-    return {position_, normalized(d)};
-  }
-
- private:
-  Position position_;
-  Direction across_, down_, corner_;
-};
-
 /// Mean and scatter of what each pixel's paths brought, updated sample by sample (Welford 1962, "Note on a Method for
 /// Calculating Corrected Sums of Squares and Products").
 struct Film {
   std::vector<Rgb> mean, squares;  ///< `squares`: sum of squared distances from the mean
   std::vector<double> luminanceSquares;
   std::vector<double> luminance;
+  std::vector<double> coverage;  ///< part of the rays that met an object
   std::size_t samples = 0;
 
-  explicit Film(std::size_t pixels) : mean(pixels), squares(pixels), luminanceSquares(pixels), luminance(pixels) {}
+  explicit Film(std::size_t pixels)
+      : mean(pixels), squares(pixels), luminanceSquares(pixels), luminance(pixels), coverage(pixels) {}
 
   static void update(double& mean, double& squares, double value, double count) {
     const double before = value - mean;
     mean += before / count;
     squares += before * (value - mean);
   }
-  void add(std::size_t pixel, const Rgb& rgb, std::size_t count) {
+  void add(std::size_t pixel, const Rgb& rgb, bool covered, std::size_t count) {
     const auto n = static_cast<double>(count);
+    coverage[pixel] += (double(covered) - coverage[pixel]) / n;
     for (std::size_t c = 0; c < 3; ++c) update(mean[pixel][c], squares[pixel][c], rgb[c], n);
     update(luminance[pixel], luminanceSquares[pixel], 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2], n);
   }
@@ -102,6 +77,7 @@ ReferencePicture renderReference(const Scene& scene, const ReferenceOptions& opt
   const PathIntegrator integrator(scene, options.bounces);
   const Lens lens(scene);
   const std::size_t pixels = scene.width * scene.height;
+  const auto width = static_cast<double>(scene.width), height = static_cast<double>(scene.height);
   Film film(pixels);
   std::atomic<std::uint64_t> evaluations = 0, invalid = 0;
   ReferencePicture picture;
@@ -125,10 +101,17 @@ ReferencePicture renderReference(const Scene& scene, const ReferenceOptions& opt
             randoms.push_back(random);
           }
         std::vector<Rgb> radiance(rays.size());
-        integrator.trace(rays, randoms, radiance.data(), evaluated, without);
+        std::vector<std::uint8_t> covered(rays.size());
+        integrator.trace(rays, randoms, radiance.data(), covered.data(), evaluated, without);
         std::size_t k = 0;
-        for (std::size_t pixel = first; pixel < last; ++pixel)
-          for (std::size_t sample = begin; sample < end; ++sample) film.add(pixel, radiance[k++], sample + 1);
+        for (std::size_t pixel = first; pixel < last; ++pixel) {
+          const Rgb behind = backgroundRadiance(scene.background, (double(pixel % scene.width) + 0.5) / width,
+                                                (double(pixel / scene.width) + 0.5) / height, width / height);
+          for (std::size_t sample = begin; sample < end; ++sample, ++k) {
+            for (std::size_t c = 0; c < 3 && !covered[k]; ++c) radiance[k][c] += behind[c];
+            film.add(pixel, radiance[k], covered[k], sample + 1);
+          }
+        }
       }
       evaluations += evaluated;
       invalid += without;
@@ -146,13 +129,16 @@ ReferencePicture renderReference(const Scene& scene, const ReferenceOptions& opt
   }
 
   picture.samples = film.samples;
-  picture.radiance = Image(scene.width, scene.height, 3);
+  const std::size_t channels = scene.background.kind == SceneBackground::Kind::Transparent ? 4 : 3;
+  picture.radiance = Image(scene.width, scene.height, channels);
   picture.standardError = Image(scene.width, scene.height, 3);
-  for (std::size_t k = 0; k < pixels; ++k)
+  for (std::size_t k = 0; k < pixels; ++k) {
+    if (channels == 4) picture.radiance.values[4 * k + 3] = static_cast<float>(film.coverage[k]);
     for (std::size_t c = 0; c < 3; ++c) {
-      picture.radiance.values[3 * k + c] = static_cast<float>(film.mean[k][c]);
+      picture.radiance.values[channels * k + c] = static_cast<float>(film.mean[k][c]);
       picture.standardError.values[3 * k + c] = static_cast<float>(std::sqrt(film.variance(film.squares[k][c])));
     }
+  }
   if (evaluations > 0) picture.invalidShare = double(invalid) / double(evaluations);
   picture.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return picture;

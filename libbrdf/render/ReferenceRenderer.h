@@ -22,7 +22,7 @@ struct ReferenceOptions {
 };
 
 struct ReferencePicture {
-  Image radiance;            ///< linear sRGB, W/(m^2 sr) in the units of the lights
+  Image radiance;            ///< linear sRGB, W/(m^2 sr) in the units of the lights; R, G, B, A over no background
   Image standardError;       ///< of each number in `radiance`, from the scatter of its samples
   std::size_t samples = 0;   ///< drawn a pixel
   double relativeError = 0;  ///< as `tolerance` means it

@@ -21,6 +21,9 @@ void checkMesh(const TriangleMesh& mesh, const std::string& where) {
   for (const auto* corners : {&mesh.normals, &mesh.tangents})
     require(corners->empty() || corners->size() == mesh.points.size(), "normals or tangents do not fit the points",
             where, std::to_string(corners->size()), "one for each point, or none");
+  require(mesh.textureCoordinates.empty() || mesh.textureCoordinates.size() == mesh.points.size(),
+          "texture coordinates do not fit the points", where, std::to_string(mesh.textureCoordinates.size()),
+          "one for each point, or none");
   for (const Position& p : mesh.points) require(finite(p), "a point is not finite", where, "", "");
   for (const auto& triangle : mesh.triangles)
     for (const std::uint32_t corner : triangle)
@@ -61,6 +64,27 @@ std::array<Direction, 3> rotation(const Direction& axis, double degrees) {
     for (std::size_t k = 0; k < 3; ++k) a[k] = a[k] * c + across[k] * s + n[k] * along;
   }
   return axes;
+}
+
+Rgb backgroundRadiance(const SceneBackground& background, double x, double y, double widthOverHeight) {
+  if (background.kind == SceneBackground::Kind::Colour) return background.rgb;
+  if (background.kind != SceneBackground::Kind::Picture) return {};
+  const Image& picture = *background.picture;
+  const double w = double(picture.width), h = double(picture.height), film = widthOverHeight * h / w;
+  // The part of the picture that the film shows: all of its width, or all of its height.
+  const double u = w * (0.5 + (x - 0.5) * std::min(1.0, film)), v = h * (0.5 + (y - 0.5) / std::max(1.0, film));
+  const double left = std::clamp(u - 0.5, 0.0, w - 1), top = std::clamp(v - 0.5, 0.0, h - 1);
+  const auto x0 = static_cast<std::size_t>(left), y0 = static_cast<std::size_t>(top);
+  const std::size_t x1 = std::min(x0 + 1, picture.width - 1), y1 = std::min(y0 + 1, picture.height - 1);
+  const double s = left - double(x0), t = top - double(y0);
+  Rgb rgb;
+  for (std::size_t c = 0; c < 3; ++c) {
+    const auto at = [&](std::size_t column, std::size_t row) {
+      return double(picture.pixel(column, row)[picture.channels == 1 ? 0 : c]);
+    };
+    rgb[c] = (1 - t) * ((1 - s) * at(x0, y0) + s * at(x1, y0)) + t * ((1 - s) * at(x0, y1) + s * at(x1, y1));
+  }
+  return rgb;
 }
 
 SceneCamera cameraAround(const Position& target, double radius, double azimuth, double elevation, double viewAngle,
@@ -116,6 +140,12 @@ void checkScene(const Scene& scene) {
     require(std::isfinite(scene.environment->scale) && scene.environment->scale >= 0, "scale out of range",
             "environment", formatNumber(scene.environment->scale), "0 or more");
   }
+  const SceneBackground& background = scene.background;
+  require(finite(background.rgb), "not finite", "background", "", "");
+  require(background.kind != SceneBackground::Kind::Picture ||
+              (background.picture && background.picture->width > 0 && background.picture->height > 0 &&
+               background.picture->channels > 0),
+          "no picture", "background", "", "");
 }
 
 }  // namespace brdf

@@ -19,9 +19,10 @@ using Rgb = std::array<double, 3>;       ///< linear sRGB
 /// Triangles with a frame at every corner. The world is right-handed with +y up (as in EnvironmentMap).
 struct TriangleMesh {
   std::vector<Position> points;
-  std::vector<Direction> normals;                       ///< one a point, or none: then each triangle is flat
-  std::vector<Direction> tangents;                      ///< one a point, or none: then any direction across the normal
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< indices of points, counter-clockwise seen from outside
+  std::vector<Direction> normals;   ///< one a point, or none: then each triangle is flat
+  std::vector<Direction> tangents;  ///< one a point, or none: then any direction across the normal
+  std::vector<std::array<double, 2>> textureCoordinates;  ///< u, v: one a point, or none; for tangents (addTangents)
+  std::vector<std::array<std::uint32_t, 3>> triangles;    ///< indices of points, counter-clockwise seen from outside
 };
 
 /// A square of the given side about the origin, facing +y, tangents along +x.
@@ -65,8 +66,23 @@ struct SceneEnvironment {
   std::shared_ptr<const EnvironmentMap> map;
   double rotation = 0;  ///< degrees about +y, counter-clockwise seen from above
   double scale = 1;     ///< factor on the radiance, >= 0
-  bool visible = true;  ///< seen behind the objects; else the background is black
 };
+
+/// What is seen where there is no object. It gives no light, the environment aside.
+struct SceneBackground {
+  enum class Kind {
+    Environment,  ///< black where there is none
+    Colour,       ///< `rgb`
+    Picture,      ///< `picture`, scaled to cover the film about its middle
+    Transparent   ///< nothing: the picture gets an alpha channel, by which its colours are multiplied
+  };
+  Kind kind = Kind::Environment;
+  Rgb rgb{0, 0, 0};                      ///< radiance, W/(m^2 sr)
+  std::shared_ptr<const Image> picture;  ///< radiance: 1, 3 or 4 channels (the fourth is not used)
+};
+/// Radiance of a colour or picture at a place on the film: x from the left, y from the top, both 0 to 1; black of the
+/// other kinds. Pictures are read bilinearly between the centres of their pixels.
+BRDF_EXPORT Rgb backgroundRadiance(const SceneBackground& background, double x, double y, double widthOverHeight);
 
 struct SceneCamera {
   Position position{0, 0, 4.2};
@@ -75,12 +91,14 @@ struct SceneCamera {
   double viewAngle = 30;  ///< vertical, degrees, between 0 and 180
 };
 
-/// What the reference renderer draws.
+/// What both renderers draw.
 struct Scene {
   std::vector<BrdfPointer> materials;
   std::vector<SceneObject> objects;
+  std::optional<std::size_t> ground;  ///< index of the object that the others stand on, if any: see addGround
   std::vector<SceneLight> lights;
   std::optional<SceneEnvironment> environment;
+  SceneBackground background;
   SceneCamera camera;
   std::size_t width = 512, height = 512;  ///< of the film, pixels
 };

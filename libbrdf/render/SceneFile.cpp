@@ -1,7 +1,9 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
+#include <brdf/io/ImageFile.h>
 #include <brdf/io/JsonObject.h>
 #include <brdf/io/LoadMaterial.h>
+#include <brdf/render/SceneArrangement.h>
 #include <brdf/render/SceneFile.h>
 
 #include <algorithm>
@@ -39,22 +41,9 @@ Placement placement(const JsonObject& object) {
   return place;
 }
 
-SceneObject sceneObject(const JsonObject& entry, const std::filesystem::path& scene, const MeshReader& readMesh,
-                        const std::map<std::string, std::size_t>& materials) {
-  SceneObject object;
-  object.name = entry.text("name", "");
-  object.placement = placement(entry);
-  if (entry.has("shape") == entry.has("mesh")) entry.fail("either of two", "shape or mesh", "", "exactly one of them");
-  if (entry.has("mesh")) {
-    if (!readMesh) entry.fail("this program reads no meshes", "mesh", "", "\"shape\"");
-    object.mesh = std::make_shared<const TriangleMesh>(readMesh(beside(scene, entry.text("mesh"))));
-  } else if (const std::string shape = entry.text("shape"); shape == "square") {
-    object.mesh = std::make_shared<const TriangleMesh>(makeSquare(entry.number("side", 1)));
-  } else if (shape == "sphere") {
-    object.placement.scale *= entry.number("radius", 1);
-  } else {
-    entry.fail("unknown shape", "shape", "\"" + shape + "\"", "sphere, square");
-  }
+using MaterialNames = std::map<std::string, std::size_t>;
+
+std::size_t materialIndex(const JsonObject& entry, const MaterialNames& materials) {
   const std::string name = entry.text("material");
   const auto found = materials.find(name);
   if (found == materials.end()) {
@@ -62,7 +51,28 @@ SceneObject sceneObject(const JsonObject& entry, const std::filesystem::path& sc
     for (const auto& [known, index] : materials) names.push_back(known);
     entry.fail("no such material", "material", "\"" + name + "\"", joined(names));
   }
-  object.material = found->second;
+  return found->second;
+}
+
+SceneObject sceneObject(const JsonObject& entry, const std::filesystem::path& scene, const SceneReaders& readers,
+                        const MaterialNames& materials) {
+  SceneObject object;
+  object.name = entry.text("name", "");
+  object.placement = placement(entry);
+  if (entry.has("shape") == entry.has("mesh")) entry.fail("either of two", "shape or mesh", "", "exactly one of them");
+  if (entry.has("mesh")) {
+    if (!readers.mesh) entry.fail("this program reads no meshes", "mesh", "", "\"shape\"");
+    object.mesh = std::make_shared<const TriangleMesh>(readers.mesh(beside(scene, entry.text("mesh"))));
+  } else if (const std::string shape = entry.text("shape"); shape == "square") {
+    object.mesh = std::make_shared<const TriangleMesh>(makeSquare(entry.number("side", 1)));
+  } else if (shape == "sphere") {
+    object.placement.scale *= entry.number("radius", 1);
+  } else if (readers.shape) {
+    object.mesh = std::make_shared<const TriangleMesh>(readers.shape(shape));
+  } else {
+    entry.fail("unknown shape", "shape", "\"" + shape + "\"", "sphere, square");
+  }
+  object.material = materialIndex(entry, materials);
   entry.finish();
   return object;
 }
@@ -94,14 +104,58 @@ SceneEnvironment sceneEnvironment(const JsonObject& entry, const std::filesystem
                                                                : EnvironmentMap::constant(entry.triple("constant")));
   environment.rotation = entry.number("rotation", 0);
   environment.scale = entry.number("scale", 1);
-  environment.visible = entry.flag("visible", true);
   entry.finish();
   return environment;
 }
 
+SceneBackground sceneBackground(const JsonObject& entry, const std::filesystem::path& scene,
+                                const SceneReaders& readers) {
+  using Kind = SceneBackground::Kind;
+  SceneBackground background;
+  const std::string kind = entry.text("kind");
+  if (kind == "color") {
+    background.kind = Kind::Colour;
+    background.rgb = entry.triple("color");
+  } else if (kind == "image") {
+    background.kind = Kind::Picture;
+    const std::filesystem::path file = beside(scene, entry.text("file"));
+    background.picture = std::make_shared<const Image>(readers.picture ? readers.picture(file) : readImage(file));
+  } else if (kind == "none") {
+    background.kind = Kind::Transparent;
+  } else if (kind != "environment") {
+    entry.fail("unknown kind of background", "kind", "\"" + kind + "\"", "environment, color, image, none");
+  }
+  entry.finish();
+  return background;
+}
+
+/// The camera's place, given outright or by how it stands to the objects.
+SceneCamera sceneCamera(const JsonObject& entry, const Scene& scene) {
+  SceneCamera camera;
+  const double viewAngle = entry.number("view_angle", camera.viewAngle);
+  const bool around = entry.has("preset") || entry.has("azimuth") || entry.has("elevation");
+  if (around) {
+    if (entry.has("position")) entry.fail("either of two", "position", "", "a position, or preset, azimuth, elevation");
+    if (!(viewAngle > 0 && viewAngle < 180))
+      entry.fail("angle of view out of range", "view_angle", formatNumber(viewAngle), "above 0 and below 180 degrees");
+    const CameraPreset& preset = cameraPreset(entry.text("preset", "front"));
+    const SceneBounds bounds = sceneBounds(scene);
+    camera = cameraAround(entry.triple("target", bounds.center), bounds.radius, entry.number("azimuth", preset.azimuth),
+                          entry.number("elevation", preset.elevation), viewAngle,
+                          static_cast<double>(scene.width) / static_cast<double>(scene.height));
+  } else {
+    camera.position = entry.triple("position", camera.position);
+    camera.target = entry.triple("target", camera.target);
+    camera.viewAngle = viewAngle;
+  }
+  camera.up = entry.triple("up", camera.up);
+  entry.finish();
+  return camera;
+}
+
 }  // namespace
 
-Scene readScene(const std::filesystem::path& path, const MeshReader& readMesh) {
+Scene readScene(const std::filesystem::path& path, const SceneReaders& readers) {
   const JsonObject file = JsonObject::read(path);
   Scene scene;
   if (const auto film = file.object("film")) {
@@ -109,14 +163,8 @@ Scene readScene(const std::filesystem::path& path, const MeshReader& readMesh) {
     scene.height = film->count("height", scene.height, 1);
     film->finish();
   }
-  if (const auto camera = file.object("camera")) {
-    scene.camera.position = camera->triple("position", scene.camera.position);
-    scene.camera.target = camera->triple("target", scene.camera.target);
-    scene.camera.up = camera->triple("up", scene.camera.up);
-    scene.camera.viewAngle = camera->number("view_angle", scene.camera.viewAngle);
-    camera->finish();
-  }
   if (const auto entry = file.object("environment")) scene.environment = sceneEnvironment(*entry, path);
+  if (const auto entry = file.object("background")) scene.background = sceneBackground(*entry, path, readers);
   for (const JsonObject& entry : file.objects("lights")) scene.lights.push_back(sceneLight(entry));
   std::map<std::string, std::size_t> materials;
   if (const auto list = file.object("materials"))
@@ -125,7 +173,12 @@ Scene readScene(const std::filesystem::path& path, const MeshReader& readMesh) {
       scene.materials.push_back(material(path, list->text(name)));
     }
   for (const JsonObject& entry : file.objects("objects"))
-    scene.objects.push_back(sceneObject(entry, path, readMesh, materials));
+    scene.objects.push_back(sceneObject(entry, path, readers, materials));
+  if (const auto entry = file.object("camera")) scene.camera = sceneCamera(*entry, scene);
+  if (const auto entry = file.object("ground")) {
+    addGround(scene, entry->has("material") ? scene.materials[materialIndex(*entry, materials)] : groundMaterial());
+    entry->finish();
+  }
   file.finish();
   try {
     checkScene(scene);

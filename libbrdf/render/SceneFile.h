@@ -7,13 +7,19 @@
 
 namespace brdf {
 
-/// Reads a mesh from a file (.ply, .obj, .stl, ...): VTK's readers in the programs, since the core has none.
-using MeshReader = std::function<TriangleMesh(const std::filesystem::path&)>;
+/// What the core leaves to the program that reads a scene: VTK's readers and shapes, in ours. Each throws brdf::Error.
+struct SceneReaders {
+  /// A mesh from a file (.ply, .obj, .stl, ...). Without it a scene with mesh files is refused.
+  std::function<TriangleMesh(const std::filesystem::path&)> mesh;
+  /// A shape by its name. Without it there are the core's own: sphere, square.
+  std::function<TriangleMesh(const std::string& name)> shape;
+  /// A picture of linear radiance. Without it OpenEXR and Radiance files are read.
+  std::function<Image(const std::filesystem::path&)> picture;
+};
 
 /// Reads a scene from a JSON file (docs/scenes.md describes it). Paths in it are relative to the file's folder;
 /// materials are whatever loadMaterial takes. Throws Error::Kind::Format naming the place in the file, what
-/// loadMaterial and EnvironmentMap::read throw, and as checkScene does. Without a `readMesh` a scene with mesh files is
-/// refused.
-BRDF_EXPORT Scene readScene(const std::filesystem::path& path, const MeshReader& readMesh = {});
+/// loadMaterial, EnvironmentMap::read and the readers throw, and as checkScene does.
+BRDF_EXPORT Scene readScene(const std::filesystem::path& path, const SceneReaders& readers = {});
 
 }  // namespace brdf

@@ -16,7 +16,6 @@ class SceneLighting {
   Direction sample(double u, double v) const;
   /// Density of `sample` (1/sr).
   double pdf(const Direction& direction) const;
-  bool visible() const { return environment_.visible; }
 
  private:
   Direction inMap(const Direction& world) const;

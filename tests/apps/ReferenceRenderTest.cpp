@@ -30,11 +30,11 @@ TEST(ReferenceRender, WritesRadianceAndItsStandardError) {
 TEST(ReferenceRender, AToleranceIsReachedOrSaidNotToBe) {
   const auto folder = scratchFolder();
   brdf::writeFile(folder / "scene.json", R"json({"film": {"width": 24, "height": 24},
-    "environment": {"constant": [1, 1, 1], "visible": false},
+    "environment": {"constant": [1, 1, 1]}, "background": {"kind": "color", "color": [0, 0, 0]},
     "materials": {"m": "0.5*Lambertian + 0.3*GGX"}, "objects": [{"shape": "sphere", "material": "m"}]})json");
   const auto render = [&](const char* tolerance, const char* samples) {
-    return reportOf(
-        folder, {"render", "--scene", "scene.json", "--tolerance", tolerance, "--samples", samples, "--out", "a.exr"});
+    return reportOf(folder, {"render", "--scene", "scene.json", "--reference", "--tolerance", tolerance, "--samples",
+                             samples, "--out", "a.exr"});
   };
   const json reached = render("0.02", "100000");
   EXPECT_TRUE(reached["converged"]);
@@ -68,6 +68,10 @@ TEST(ReferenceRender, WhatDoesNotGoTogetherIsRefused) {
   EXPECT_NE(refused({"Lambertian", "--scene", "x.json"}).find("a material and a scene"), std::string::npos);
   EXPECT_NE(refused({"--scene", "x.json", "--light", "point:1,1,1"}).find("its own lights"), std::string::npos);
   EXPECT_NE(refused({"Lambertian"}).find("--light"), std::string::npos);
+  EXPECT_NE(refused({"Lambertian", "--light", "directional:0,0", "--turntable", "3"}).find("frame_%03d.png"),
+            std::string::npos);
+  EXPECT_NE(refused({"Lambertian", "--light", "directional:0,0", "--turn", "environment"}).find("no environment"),
+            std::string::npos);
   EXPECT_NE(refused({"Lambertian", "--light", "directional:0,0", "--bounces", "3"}).find("--reference"),
             std::string::npos);
 }
@@ -85,7 +89,7 @@ TEST(ReferenceRender, MeshesComeFromFiles) {
 TEST(ReferenceRender, TheExampleSceneOfTheDocumentationIsDrawn) {
   const auto folder = scratchFolder();
   const json report = reportOf(folder, {"render", "--scene", BRDF_SOURCE_DIR "/docs/examples/three-spheres.json",
-                                        "--samples", "2", "--bounces", "2", "--out", "a.png"});
+                                        "--reference", "--samples", "2", "--bounces", "2", "--out", "a.png"});
   EXPECT_EQ(report["size"], json({480, 320}));
   EXPECT_GT(report["mean_radiance"].get<double>(), 0.05);
 }

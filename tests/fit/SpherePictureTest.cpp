@@ -68,7 +68,7 @@ TEST(SpherePicture, IsThatOfTheReferenceRenderer) {
     Scene scene;
     scene.materials = {material};
     scene.objects.push_back({"sphere", nullptr, {}, 0});
-    scene.environment = SceneEnvironment{map, 0, 1, false};
+    scene.environment = SceneEnvironment{map, 0, 1};
     scene.camera.position = {0, 0, 1e5};  // as good as parallel
     scene.camera.viewAngle = 2 * degrees(std::atan(1 / 1e5));
     scene.width = scene.height = 24;

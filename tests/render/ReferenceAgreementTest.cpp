@@ -15,7 +15,7 @@ brdf::ReferencePicture reference(const std::shared_ptr<const brdf::LobeSum>& mat
   scene.materials = {material};
   scene.objects.push_back({"sphere", nullptr, {}, 0});
   scene.environment = brdf::SceneEnvironment{
-      std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::read(map)), rotation, 1, false};
+      std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::read(map)), rotation, 1};
   scene.camera = brdf::cameraAround({0, 0, 0}, 1, 0, 0, 30, 1);
   scene.width = scene.height = size;
   brdf::ReferenceOptions options;

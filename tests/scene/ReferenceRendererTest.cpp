@@ -114,7 +114,8 @@ TEST(ReferenceRenderer, OpenSurfacesReflectOnBothSides) {
 
 TEST(ReferenceRenderer, TheSamePictureOnAnyNumberOfThreads) {
   Scene scene = sphereScene(parseMaterialExpression("0.2*Lambertian + 0.6*GGX(alpha=0.3)"), 20);
-  scene.environment = constantLight(1, true);
+  scene.environment = constantLight(1);
+  scene.background = {};  // the environment
   ReferenceOptions options;
   options.samples = 50;
   options.bounces = 2;
@@ -151,7 +152,8 @@ TEST(ReferenceRenderer, AnEmptySceneShowsTheEnvironment) {
   Scene scene;
   scene.width = 4, scene.height = 2;
   EXPECT_EQ(renderReference(scene).radiance.values, std::vector<float>(24, 0.0f));
-  scene.environment = constantLight(2, true);
+  scene.environment = constantLight(2);
+  scene.background = {};  // the environment
   EXPECT_EQ(renderReference(scene).radiance.values, std::vector<float>(24, 2.0f));
 }
 

@@ -144,7 +144,6 @@ TEST(Reference, AMapIsTheSumOverAllItsTexels) {
   SceneEnvironment environment;
   environment.map = std::make_shared<const EnvironmentMap>(sky);
   environment.rotation = 30;
-  environment.visible = false;
   scene.environment = environment;
   ReferenceOptions options;
   options.samples = 4096;
@@ -192,7 +191,8 @@ TEST(Reference, WhiteThingsInAWhiteWorldAreInvisibleWhenLightMayBounce) {
   scene.objects.push_back({"other", nullptr, {0.5, Placement{}.axes, {1, 0.6, 0.8}}, 0});
   scene.objects.push_back(
       {"floor", std::make_shared<const TriangleMesh>(makeSquare(4)), {1, Placement{}.axes, {0, -1, 0}}, 0});
-  scene.environment = constantLight(1, true);
+  scene.environment = constantLight(1);
+  scene.background = {};  // the environment
   scene.camera.position = {0, 1.5, 4};
   ReferenceOptions options;
   options.samples = 256;
@@ -248,7 +248,7 @@ TEST(Reference, TheErrorFallsWithTheRootOfTheSamples) {
   Image sky(32, 16, 3);
   for (std::size_t x = 0; x < 32; ++x)
     for (std::size_t y = 0; y < 16; ++y) std::fill_n(sky.pixel(x, y), 3, (x / 4 + y / 4) % 2 ? 1.5f : 0.1f);
-  scene.environment = SceneEnvironment{std::make_shared<const EnvironmentMap>(sky), 0, 1, false};
+  scene.environment = SceneEnvironment{std::make_shared<const EnvironmentMap>(sky), 0, 1};
   ReferenceOptions options;
   options.pixelCentres = true;
   options.samples = 1 << 15;

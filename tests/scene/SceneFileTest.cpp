@@ -34,7 +34,8 @@ TEST(SceneFile, EverythingItCanSay) {
     // a comment
     "film": {"width": 320, "height": 200},
     "camera": {"position": [0, 1, 5], "target": [0, 0.5, 0], "up": [0, 1, 0], "view_angle": 40},
-    "environment": {"constant": [1, 2, 3], "rotation": 90, "scale": 0.5, "visible": false},
+    "environment": {"constant": [1, 2, 3], "rotation": 90, "scale": 0.5},
+    "background": {"kind": "color", "color": [0.1, 0.2, 0.3]},
     "lights": [{"kind": "directional", "theta": 90, "phi": 90, "irradiance": [3, 2, 1]},
                {"kind": "point", "position": [1, 2, 3], "intensity": [4, 5, 6]}],
     "materials": {"red": "(0.5,0.1,0.1)*Lambertian", "metal": "GGX(alpha=0.2)"},
@@ -43,10 +44,12 @@ TEST(SceneFile, EverythingItCanSay) {
                 {"mesh": "cow.ply", "scale": 2, "material": "red"}]
 })json");
   std::filesystem::path asked;
-  const Scene scene = readScene(path, [&](const std::filesystem::path& file) {
+  SceneReaders readers;
+  readers.mesh = [&](const std::filesystem::path& file) {
     asked = file;
     return makeSquare(7);
-  });
+  };
+  const Scene scene = readScene(path, readers);
   EXPECT_EQ(asked, path.parent_path() / "cow.ply");
   EXPECT_EQ(scene.width, 320u);
   EXPECT_EQ(scene.height, 200u);
@@ -55,7 +58,8 @@ TEST(SceneFile, EverythingItCanSay) {
   ASSERT_TRUE(scene.environment);
   EXPECT_EQ(scene.environment->rotation, 90);
   EXPECT_EQ(scene.environment->scale, 0.5);
-  EXPECT_FALSE(scene.environment->visible);
+  EXPECT_EQ(scene.background.kind, SceneBackground::Kind::Colour);
+  EXPECT_EQ(scene.background.rgb, (Rgb{0.1, 0.2, 0.3}));
   ASSERT_EQ(scene.lights.size(), 2u);
   EXPECT_NEAR(scene.lights[0].position[0], 1, 1e-15);
   EXPECT_EQ(scene.lights[0].rgb, (Rgb{3, 2, 1}));
@@ -72,8 +76,8 @@ TEST(SceneFile, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal("{\n\"film\": {\n}"), "scene.json, line 3: not JSON; found a fault near byte 14");
   EXPECT_EQ(refusal("[]"), "scene.json: no object; found []; allowed: {...}");
   EXPECT_EQ(refusal(R"({"flim": {}})"),
-            "scene.json: unknown key; found \"flim\" (did you mean \"film\"?); allowed: camera, environment, film, "
-            "lights, materials, objects");
+            "scene.json: unknown key; found \"flim\" (did you mean \"film\"?); allowed: background, "
+            "camera, environment, film, ground, lights, materials, objects");
   EXPECT_EQ(refusal(R"({"camera": {"position": [1, 2]}})"),
             "scene.json: camera.position: not three numbers; found [1,2]; allowed: [x, y, z]");
   EXPECT_EQ(refusal(R"({"objects": [{"shape": "cube", "material": "a"}]})"),

@@ -12,14 +12,14 @@ inline brdf::Scene sphereScene(brdf::BrdfPointer material, std::size_t pixels) {
   scene.objects.push_back({"sphere", nullptr, {}, 0});
   scene.camera = brdf::cameraAround({0, 0, 0}, 1, 0, 0, 30, 1);
   scene.width = scene.height = pixels;
+  scene.background.kind = brdf::SceneBackground::Kind::Colour;  // black: the environment is not seen
   return scene;
 }
 
-inline brdf::SceneEnvironment constantLight(double radiance, bool visible = false) {
+inline brdf::SceneEnvironment constantLight(double radiance) {
   brdf::SceneEnvironment environment;
   environment.map =
       std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::constant({radiance, radiance, radiance}));
-  environment.visible = visible;
   return environment;
 }
 

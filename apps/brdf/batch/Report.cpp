@@ -282,11 +282,11 @@ class Illustrator {
         const Cell* cell = column == 0 ? nullptr : &part.cells[target][column - 1];
         if (interrupted()) return {};
         const bool black = cell && !cell->fitted;
-        RenderPicture sphere;
+        SceneRequest sphere;
         sphere.assumptions = assumptions();
         sphere.material = !cell ? job_.targets[target].material : black ? "0*Lambertian" : fitSpec(*cell);
-        sphere.lights = {{Light::Kind::Directional, {}, {55, 25}}};
-        sphere.size = {side, side};
+        sphere.lights = {"directional:55,25"};
+        sphere.size = std::to_string(side) + "x" + std::to_string(side);
         ReferenceOptions options;
         options.samples = 32;
         montage.pictures.push_back({referenceRadiance(sphere, options), !cell   ? part.targets[target]

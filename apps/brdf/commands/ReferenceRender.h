@@ -1,6 +1,6 @@
 #pragma once
 #include "Output.h"
-#include "Pictures.h"
+#include "SceneArguments.h"
 
 #include <brdf/render/ReferenceRenderer.h>
 
@@ -8,19 +8,11 @@
 
 namespace brdf::app {
 
-/// What `brdf render --reference` and `--scene` ask for besides a picture.
-struct ReferenceRequest {
-  RenderPicture picture;
-  std::string scene;          ///< a scene file; empty: the picture's own material, object and lights
-  std::string standardError;  ///< .exr for the standard error of every number; empty: none
-  ReferenceOptions options;
-};
+/// A scene drawn on the CPU with a progress bar of that title; `stopped` after Ctrl-C, with the picture so far.
+ReferencePicture drawReference(const Output& output, const std::string& title, Scene scene, const ColourNames& colours,
+                               ReferenceOptions options);
 
-/// Draws on the CPU, writes the pictures and reports. With Ctrl-C what is drawn so far is written.
-void renderReference(const Output& output, const ReferenceRequest& request);
-
-/// One object under lights as `picture` describes it, drawn on the CPU in linear sRGB: of any material, tables among
-/// them. `picture.out` is not used.
-Image referenceRadiance(const RenderPicture& picture, const ReferenceOptions& options);
+/// One object under lights, drawn on the CPU in linear sRGB: of any material, tables among them.
+Image referenceRadiance(const SceneRequest& request, const ReferenceOptions& options);
 
 }  // namespace brdf::app

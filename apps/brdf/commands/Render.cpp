@@ -1,147 +1,233 @@
-#include "Arguments.h"
 #include "Assumptions.h"
 #include "Colours.h"
 #include "Commands.h"
+#include "FrameNames.h"
 #include "Output.h"
-#include "Pictures.h"
+#include "Progress.h"
 #include "ReferenceRender.h"
+#include "SceneArguments.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
-#include <brdf/io/LoadMaterial.h>
+#include <brdf/io/ImageFile.h>
 #include <brdf/material/LobeSum.h>
 
+#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace brdf::app {
 namespace {
 
-Light lightOption(const std::string& text) {
-  const std::size_t colon = text.find(':');
-  const std::string kind = text.substr(0, colon);
-  const std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "env" && !value.empty()) return {Light::Kind::Environment, value, {}};
-  if (kind == "directional")
-    return {Light::Kind::Directional, {}, numberListOption("--light", value, 2, "directional:45,0")};
-  if (kind == "point") return {Light::Kind::Point, {}, numberListOption("--light", value, 3, "point:2,2,3")};
-  throw Error(Error::Kind::Usage, {"unknown light", "--light", "'" + text + "'",
-                                   "env:FILE, directional:theta,phi (degrees) or point:x,y,z"});
-}
-
 struct Values {
-  ReferenceRequest request;
-  std::vector<std::string> lights;
-  std::string size = "512x512";
+  SceneRequest subject;
+  RenderPicture picture;
+  ReferenceOptions options;
+  std::string standardError;  ///< .exr for the standard error of every number; empty: none
   bool reference = false;
   std::size_t samples = 0;  ///< 0: not given
+  std::size_t turntable = 0;
+  std::string turn = "object";
 };
 
-/// What is there to draw: a material under light, or a scene that holds all that.
-void checkSubject(const Values& values) {
-  const std::string& scene = values.request.scene;
-  const bool material = !values.request.picture.material.empty();
-  if (scene.empty() != material)
-    throw Error(Error::Kind::Usage, {"what to render", "", scene.empty() ? "nothing" : "a material and a scene",
-                                     "MATERIAL or --scene FILE.json"});
-  if (!scene.empty() && !values.lights.empty())
-    throw Error(Error::Kind::Usage, {"a scene has its own lights", "--light", values.lights.front(), ""});
-  if (scene.empty() && values.lights.empty())
-    throw Error(Error::Kind::Usage,
-                {"required option missing", "--light", "", "env:FILE, directional:theta,phi or point:x,y,z"});
-  const ReferenceOptions& options = values.request.options;
-  if (scene.empty() && !values.reference &&
-      (options.tolerance > 0 || options.bounces > 1 || !values.request.standardError.empty()))
-    throw Error(Error::Kind::Usage, {"--tolerance, --bounces and --standard-error need the reference renderer",
-                                     "brdf render", "", "--reference or --scene"});
+/// Whether the graphics device can draw all of it: sums of lobes, which alone have shaders.
+bool hasShaders(const Scene& scene) {
+  return std::ranges::all_of(scene.materials, [](const BrdfPointer& material) {
+    return dynamic_cast<const LobeSum*>(material.get()) != nullptr;
+  });
 }
 
-/// Whether the graphics device can draw it: sums of lobes, which alone have shaders.
-bool hasShaders(const RenderPicture& picture) {
-  return dynamic_cast<const LobeSum*>(loadMaterial(picture.material, picture.assumptions).brdf.get()) != nullptr;
+double meanOf(const Image& image) {
+  double sum = 0;
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < image.values.size(); ++k)
+    if (k % image.channels < 3) {
+      sum += double(image.values[k]);
+      ++count;
+    }
+  return sum / static_cast<double>(count);
+}
+
+void writePicture(const Image& radiance, const RenderPicture& picture, const std::string& path) {
+  path.ends_with(".png") ? pictures().writePng(radiance, picture, path) : writeExr(radiance, path);
+}
+
+nlohmann::json subjectJson(const Values& values, const Scene& scene) {
+  return {{"material", values.subject.material},
+          {"object", values.subject.object},
+          {"scene", values.subject.scene},
+          {"lights", values.subject.lights},
+          {"colour", coloursJson(values.picture.colours)},
+          {"size", {scene.width, scene.height}},
+          {"exposure", values.picture.exposure},
+          {"out", values.picture.out}};
+}
+
+void runReference(const Output& output, const Values& values, const Scene& scene) {
+  const Interruptible untilSaved;
+  const ReferencePicture picture = drawReference(output, "render", scene, values.picture.colours, values.options);
+  for (const std::string& path : values.picture.out) writePicture(picture.radiance, values.picture, path);
+  if (!values.standardError.empty()) writeExr(picture.standardError, values.standardError);
+
+  std::string text = joined(values.picture.out) + ": " + std::to_string(picture.samples) +
+                     " paths a pixel, mean radiance " + number(meanOf(picture.radiance)) +
+                     ", relative standard error " + number(picture.relativeError) + ", " +
+                     formatNumber(picture.seconds, 3) + " s on the CPU";
+  if (values.options.tolerance > 0 && !picture.converged)
+    text += "\n  note: the tolerance " + formatNumber(values.options.tolerance) + " was not reached";
+  if (picture.invalidShare > 0)
+    text += "\n  note: " + number(100 * picture.invalidShare) +
+            " % of the directions asked for have no value in the material and were taken for black";
+  output.line(text);
+  nlohmann::json report = subjectJson(values, scene);
+  report.update({{"samples", picture.samples},
+                 {"bounces", values.options.bounces},
+                 {"tolerance", values.options.tolerance},
+                 {"relative_error", picture.relativeError},
+                 {"converged", picture.converged},
+                 {"invalid_share", picture.invalidShare},
+                 {"mean_radiance", meanOf(picture.radiance)},
+                 {"seconds", picture.seconds},
+                 {"device", "CPU"}});
+  output.report(report);
+  if (interrupted())
+    throw Error(Error::Kind::Value, {"interrupted; the picture so far was kept", "brdf render", "", ""});
+}
+
+void runDevice(const Output& output, const Values& values, const Scene& scene) {
+  const auto start = std::chrono::steady_clock::now();
+  const RenderedFrame frame = pictures().frameDrawer()(scene, values.picture);
+  for (const std::string& path : values.picture.out) writePicture(frame.radiance, values.picture, path);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  output.line(joined(values.picture.out) + ": " + std::to_string(values.picture.samples) +
+              " samples a pixel, mean radiance " + number(meanOf(frame.radiance)) + ", " + formatNumber(seconds, 3) +
+              " s on " + frame.device);
+  nlohmann::json report = subjectJson(values, scene);
+  report.update({{"samples", values.picture.samples},
+                 {"mean_radiance", meanOf(frame.radiance)},
+                 {"seconds", seconds},
+                 {"device", frame.device}});
+  output.report(report);
+}
+
+/// Frames of a full turn of the objects or of the environment.
+void runTurntable(const Output& output, const Values& values, const Scene& scene, bool reference) {
+  const auto start = std::chrono::steady_clock::now();
+  const Position center = sceneBounds(scene).center;
+  const FrameDrawer draw = reference ? FrameDrawer() : pictures().frameDrawer();
+  std::string device = "CPU";
+  std::size_t done = 0;
+  const Interruptible untilSaved;
+  {
+    std::optional<Progress> progress;  // the reference renderer shows its own
+    if (!reference) progress.emplace(output, "turntable");
+    for (; done < values.turntable && !interrupted(); ++done) {
+      if (progress) progress->update(done, values.turntable);
+      Scene turned = scene;
+      const double degrees = 360.0 * static_cast<double>(done) / static_cast<double>(values.turntable);
+      if (values.turn == "environment")
+        turned.environment->rotation += degrees;
+      else
+        turnObjects(turned, center, degrees);
+      RenderedFrame frame;
+      if (reference) {
+        const std::string title = "frame " + std::to_string(done + 1) + " of " + std::to_string(values.turntable);
+        ReferencePicture picture = drawReference(output, title, turned, values.picture.colours, values.options);
+        if (picture.stopped) break;
+        frame.radiance = std::move(picture.radiance);
+      } else {
+        frame = draw(turned, values.picture);
+        device = frame.device;
+      }
+      for (const std::string& pattern : values.picture.out)
+        writePicture(frame.radiance, values.picture, frameName(pattern, done));
+    }
+    if (progress) progress->update(done, values.turntable);
+  }
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  output.line(joined(values.picture.out) + ": " + std::to_string(done) + " frames, " + formatNumber(seconds, 3) +
+              " s on " + device);
+  nlohmann::json report = subjectJson(values, scene);
+  report.update({{"frames", done}, {"seconds", seconds}, {"device", device}});
+  output.report(report);
+  if (done < values.turntable)
+    throw Error(Error::Kind::Value,
+                {"interrupted; the finished frames were kept", "brdf render", std::to_string(done) + " frames",
+                 std::to_string(values.turntable) + " asked for"});
+}
+
+void checkOptions(const Values& values) {
+  const ReferenceOptions& options = values.options;
+  if (!values.reference && (options.tolerance > 0 || options.bounces > 1 || !values.standardError.empty()))
+    throw Error(Error::Kind::Usage, {"--tolerance, --bounces and --standard-error need the reference renderer",
+                                     "brdf render", "", "--reference"});
+  if (values.turntable > 0 && !values.standardError.empty())
+    throw Error(Error::Kind::Usage, {"of one picture only", "--standard-error", "", "without --turntable"});
+  for (const std::string& path : values.picture.out) {
+    if (values.turntable > 0) checkFrameNames(path);
+    checkPictureOutputs({values.turntable > 0 ? frameName(path, 0) : path}, {".png", ".exr"});
+  }
+  if (!values.standardError.empty()) checkPictureOutputs({values.standardError}, {".exr"});
 }
 
 void run(const Output& output, Values values) {
-  checkSubject(values);
-  RenderPicture& request = values.request.picture;
-  request.assumptions = assumptions();
-  request.size = sizeOption(values.size);
-  colourSettings(request.colours);  // says what is wrong before anything is loaded
-  for (const std::string& light : values.lights) request.lights.push_back(lightOption(light));
-  checkPictureOutputs(request.out, {".png", ".exr"});
-  if (values.reference || !values.request.scene.empty()) {
-    if (!values.request.standardError.empty()) checkPictureOutputs({values.request.standardError}, {".exr"});
-    if (values.samples > 0) values.request.options.samples = std::max<std::size_t>(2, values.samples);
-    renderReference(output, values.request);
-    return;
-  }
-  if (values.samples > 0) request.samples = values.samples;
-  if (!hasShaders(request)) {
-    output.line("Not a sum of lobes: drawn by the reference renderer.");
-    values.request.options.samples = std::max<std::size_t>(2, request.samples);
-    renderReference(output, values.request);
-    return;
-  }
-  const auto start = std::chrono::steady_clock::now();
-  const RenderResult result = pictures().render(request);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  output.line(joined(request.out) + ": " + std::to_string(request.samples) + " samples a pixel, mean radiance " +
-              number(result.mean) + ", " + formatNumber(seconds, 3) + " s on " + result.device);
-  output.report({{"material", request.material},
-                 {"object", request.object},
-                 {"colour", coloursJson(request.colours)},
-                 {"lights", values.lights},
-                 {"samples", request.samples},
-                 {"size", {request.size.width, request.size.height}},
-                 {"exposure", request.exposure},
-                 {"mean_radiance", result.mean},
-                 {"seconds", seconds},
-                 {"device", result.device},
-                 {"out", request.out}});
+  checkOptions(values);
+  values.subject.assumptions = assumptions();
+  colourSettings(values.picture.colours);  // says what is wrong before anything is loaded
+  const Scene scene = arrangeScene(values.subject);
+  if (values.turn == "environment" && !scene.environment)
+    throw Error(Error::Kind::Usage, {"no environment to turn", "--turn", "environment", "--light env:FILE"});
+  const bool shaders = hasShaders(scene);
+  if (!shaders && !values.reference) output.line("Not a sum of lobes: drawn by the reference renderer.");
+  const bool reference = values.reference || !shaders;
+  const std::size_t usual = values.reference ? values.options.samples : values.picture.samples;
+  values.options.samples = std::max<std::size_t>(2, values.samples > 0 ? values.samples : usual);
+  values.picture.samples = values.samples > 0 ? values.samples : values.picture.samples;
+  if (values.turntable > 0)
+    runTurntable(output, values, scene, reference);
+  else if (reference)
+    runReference(output, values, scene);
+  else
+    runDevice(output, values, scene);
 }
 
 }  // namespace
 
 Command renderCommand() {
   const auto values = std::make_shared<Values>();
-  return {
-      "render", "Render an object of a material under light, or a scene",
-      "  brdf render \"(0.3,0.1,0.05)*Lambertian + 0.5*GGX(alpha=0.2)\" --light directional:45,0 --out sphere.png "
-      "--out sphere.exr\n"
-      "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png\n"
-      "  brdf render \"0.5*Lambertian\" --light point:2,2,3 --reference --samples 64 --size 64x64 --out true.exr",
-      [values](Arguments& arguments) {
-        RenderPicture& request = values->request.picture;
-        ReferenceOptions& reference = values->request.options;
-        arguments.positional("MATERIAL", request.material, "A file, an expression or preset:NAME");
-        arguments.optional();
-        arguments.option("--object", request.object, "FILE", "sphere, or a file: .ply, .obj, .stl, .vtp [sphere]");
-        arguments.option(
-            "--light", values->lights, "LIGHT",
-            "env:FILE (equirectangular .exr or .hdr), directional:theta,phi (degrees from +y, and about it from +z) or "
-            "point:x,y,z; the last two give a white diffuser that faces them radiance 1; several times");
-        arguments.option("--scene", values->request.scene, "FILE.json",
-                         "Objects, materials, lights and camera in a file (docs/scenes.md), drawn as --reference does");
-        arguments.option("--samples", values->samples, {1, 1 << 24},
-                         "A pixel: under an environment [64]; with --reference, paths at most [256]");
-        arguments.flag("--reference", values->reference,
-                       "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
-        arguments.option("--tolerance", reference.tolerance, {0, 1}, "NUMBER",
-                         "With --reference: stop when the relative standard error is below");
-        arguments.option("--bounces", reference.bounces, {1, 1000},
-                         "With --reference: surfaces that light may meet on its way; 1 is direct light");
-        arguments.option("--standard-error", values->request.standardError, "FILE.exr",
-                         "With --reference: the standard error of every pixel");
-        arguments.option("--size", values->size, "WxH", "Pixels [512x512]; a scene has its own");
-        arguments.option("--exposure", request.exposure, {-50, 50}, "STOPS", "Of the .png");
-        arguments.choice("--tone", request.toneCurve, {"clamp", "reinhard", "aces"}, "Curve of the .png");
-        declareColours(arguments, request.colours);
-        arguments.option("--rotate", request.rotation, {-360, 360}, "DEGREES",
-                         "Turn the environment about the vertical");
-        arguments.option("--out", request.out, "FILE", "x.png (sRGB) or x.exr (linear radiance); both may be given");
-        arguments.required();
-      },
-      [values](const Output& output) { run(output, *values); }};
+  return {"render", "Render an object of a material under light, or a scene",
+          "  brdf render \"(0.3,0.1,0.05)*Lambertian + 0.5*GGX(alpha=0.2)\" --light directional:45,0 --out sphere.png "
+          "--out sphere.exr\n"
+          "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png\n"
+          "  brdf render \"0.5*Lambertian\" --light point:2,2,3 --reference --samples 64 --size 64x64 --out true.exr\n"
+          "  brdf render \"GGX(alpha=0.3)\" --ground --camera three-quarter --light directional:40,60 --turntable 3 "
+          "--size 64x64 --out frame_%03d.png",
+          [values](Arguments& arguments) {
+            RenderPicture& picture = values->picture;
+            ReferenceOptions& reference = values->options;
+            declareScene(arguments, values->subject);
+            arguments.option("--samples", values->samples, {1, 1 << 24},
+                             "A pixel: under an environment [64]; with --reference, paths at most [256]");
+            arguments.flag("--reference", values->reference,
+                           "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
+            arguments.option("--tolerance", reference.tolerance, {0, 1}, "NUMBER",
+                             "With --reference: stop when the relative standard error is below");
+            arguments.option("--bounces", reference.bounces, {1, 1000},
+                             "With --reference: surfaces that light may meet on its way; 1 is direct light");
+            arguments.option("--standard-error", values->standardError, "FILE.exr",
+                             "With --reference: the standard error of every pixel");
+            arguments.option("--turntable", values->turntable, {0, 100000},
+                             "Frames of a full turn; --out names them, as in frame_%03d.png; 0: one picture");
+            arguments.choice("--turn", values->turn, {"object", "environment"}, "What turns on the turntable");
+            arguments.option("--exposure", picture.exposure, {-50, 50}, "STOPS", "Of the .png");
+            arguments.choice("--tone", picture.toneCurve, {"clamp", "reinhard", "aces"}, "Curve of the .png");
+            declareColours(arguments, picture.colours);
+            arguments.option("--out", picture.out, "FILE",
+                             "x.png (sRGB) or x.exr (linear radiance); both may be given");
+            arguments.required();
+          },
+          [values](const Output& output) { run(output, *values); }};
 }
 
 }  // namespace brdf::app

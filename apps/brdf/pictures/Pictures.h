@@ -18,8 +18,10 @@ namespace brdf::app {
 
 void drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
-RenderResult drawRender(const RenderPicture& request);
+FrameDrawer frameDrawer();
 TriangleMesh readMesh(const std::string& path);
+TriangleMesh makeShape(const std::string& name);
+Image readPicture(const std::string& path);
 void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path);
 void drawAudit(const AuditPicture& request);
 void drawDotPlot(const DotPlotPicture& request);
@@ -30,8 +32,9 @@ GlslRunner shaderProbe();
 /// A material as a data object of the pipeline. Throws what loadMaterial throws.
 vtkSmartPointer<vtkBRDF> pipelineMaterial(const std::string& material, const ReadOptions& assumptions);
 
-/// Linear radiance, three channels, as VTK's picture of floats.
+/// Linear radiance as VTK's picture of floats, and back.
 vtkSmartPointer<vtkImageData> toVtk(const Image& radiance);
+Image toImage(vtkImageData* picture);
 /// Radiance as the 8-bit sRGB picture that `request` asks for.
 vtkSmartPointer<vtkImageData> toneMapped(vtkImageData* radiance, const RenderPicture& request);
 

@@ -1,0 +1,24 @@
+#ifndef vtkBRDFSurface_h
+#define vtkBRDFSurface_h
+#include "vtkSmartPointer.h"
+
+#include <brdf/render/Scene.h>
+
+class vtkPolyData;
+
+// Surfaces on their way between VTK's data and the core's. Not wrapped.
+namespace vtkBRDFSurface
+{
+// A sphere of radius 1 whose normals are exact and whose tangents run around +y. Between vertices the interpolated
+// normal is off by at most (edge angle)^2 / 8 = 7.5e-5 rad.
+vtkSmartPointer<vtkPolyData> UnitSphere();
+
+// A surface ready to be drawn: as it is where it has normals, else with normals made for it (splitting edges sharper
+// than 40 degrees). Throws brdf::Error where there are no polygons, or a point or normal is not finite.
+vtkSmartPointer<vtkPolyData> Complete(vtkPolyData* surface);
+
+// The triangles of a completed surface, and back.
+brdf::TriangleMesh ToMesh(vtkPolyData* surface);
+vtkSmartPointer<vtkPolyData> FromMesh(const brdf::TriangleMesh& mesh);
+}
+#endif
