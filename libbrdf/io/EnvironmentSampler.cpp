@@ -23,17 +23,38 @@ std::pair<std::size_t, double> find(const double* sums, std::size_t count, doubl
   return {index, width > 0 ? std::clamp((u - sums[index]) / width, 0.0, 1.0) : 0.5};
 }
 
+/// Mean over each column's texel, across the row only, of the luminance interpolated between the centres of texels:
+/// three quarters of its own and an eighth of each neighbour's.
+void smoothedRow(const Image& picture, std::size_t row, double* means) {
+  const auto luminance = [&](std::size_t column) {
+    const float* rgb = picture.pixel(column, row);
+    return 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
+  };
+  const std::size_t width = picture.width;
+  double before = luminance(width - 1), here = luminance(0);
+  for (std::size_t column = 0; column < width; ++column) {
+    const double after = luminance(column + 1 < width ? column + 1 : 0);
+    means[column] = 0.75 * here + 0.125 * (before + after);
+    before = here;
+    here = after;
+  }
+}
+
 }  // namespace
 
 EnvironmentSampler::EnvironmentSampler(const EnvironmentMap& map)
     : width_(map.width()), height_(map.height()), rows_(height_ + 1), columns_(height_ * (width_ + 1)) {
-  std::vector<double> angles(height_ + 1);
+  std::vector<double> angles(height_ + 1), means(height_ * width_);
+  for (std::size_t row = 0; row < height_; ++row) smoothedRow(map.picture(), row, means.data() + row * width_);
   for (std::size_t row = 0; row < height_; ++row) {
+    // Across a pole the opposite meridian continues.
+    const double *here = means.data() + row * width_, *above = row > 0 ? here - width_ : here,
+                 *below = row + 1 < height_ ? here + width_ : here;
+    const std::size_t turnAbove = row > 0 ? 0 : width_ / 2, turnBelow = row + 1 < height_ ? 0 : width_ / 2;
     double* sums = columns_.data() + row * (width_ + 1);
-    for (std::size_t column = 0; column < width_; ++column) {
-      const float* rgb = map.picture().pixel(column, row);
-      sums[column + 1] = sums[column] + 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
-    }
+    for (std::size_t column = 0; column < width_; ++column)
+      sums[column + 1] = sums[column] + 0.75 * here[column] +
+                         0.125 * (above[(column + turnAbove) % width_] + below[(column + turnBelow) % width_]);
     rows_[row + 1] = rows_[row] + normalise(sums, width_) * map.solidAngle(row);
     angles[row + 1] = angles[row] + map.solidAngle(row);
   }
@@ -62,6 +83,16 @@ double EnvironmentSampler::pdf(const Direction& d) const {
   const double step = kPi / static_cast<double>(height_), top = step * static_cast<double>(row);
   const double angle = 2 * std::sin(top + step / 2) * std::sin(step / 2) * 2 * kPi / static_cast<double>(width_);
   return (rows_[row + 1] - rows_[row]) * (sums[column + 1] - sums[column]) / angle;
+}
+
+std::vector<float> EnvironmentSampler::rowShares() const { return {rows_.begin() + 1, rows_.end()}; }
+
+std::vector<float> EnvironmentSampler::columnShares() const {
+  std::vector<float> shares(width_ * height_);
+  for (std::size_t row = 0; row < height_; ++row)
+    std::copy_n(columns_.begin() + static_cast<std::ptrdiff_t>(row * (width_ + 1) + 1), width_,
+                shares.begin() + static_cast<std::ptrdiff_t>(row * width_));
+  return shares;
 }
 
 }  // namespace brdf

@@ -7,7 +7,9 @@
 namespace brdf {
 
 /// Draws directions in proportion to the luminance of an environment map (Rec. 709 weights), texel by texel: the
-/// density is constant inside a texel. A map without light is drawn from uniformly over the sphere.
+/// density is constant inside a texel and in proportion to the mean over it of EnvironmentMap::radiance, which
+/// interpolates between texels, so that it is above 0 wherever there is light. A map without light is drawn from
+/// uniformly over the sphere.
 class BRDF_EXPORT EnvironmentSampler {
  public:
   explicit EnvironmentSampler(const EnvironmentMap& map);
@@ -16,6 +18,11 @@ class BRDF_EXPORT EnvironmentSampler {
   Direction sample(double u, double v) const;
   /// Density of `sample` drawing a unit direction, per solid angle (1/sr).
   double pdf(const Direction& direction) const;
+
+  /// The tables, for other programs (shaders): the share of light in the rows 0 to i, height numbers up to 1, and for
+  /// each row one after the other the share in its columns 0 to i, width numbers up to 1.
+  std::vector<float> rowShares() const;
+  std::vector<float> columnShares() const;
 
  private:
   std::size_t width_, height_;

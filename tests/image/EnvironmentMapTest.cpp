@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/io/EnvironmentMap.h>
 #include <brdf/io/EnvironmentSampler.h>
+#include <brdf/sampling/Sequence.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -160,20 +161,61 @@ TEST(EnvironmentMap, TheDiffuseMapIsTheCosineConvolution) {
   }
 }
 
-TEST(EnvironmentSampler, DensityIntegratesToOneAndFollowsTheLuminance) {
+TEST(EnvironmentSampler, DensityIntegratesToOneAndFollowsTheInterpolatedLuminance) {
   const EnvironmentMap map = shipped("venice");
   const brdf::EnvironmentSampler sampler(map);
+  // The mean of what is seen over a texel: a sum over 8 x 8 places in it, exact for a linear function.
+  const auto seen = [&](std::size_t column, std::size_t row) {
+    double sum = 0;
+    for (int place = 0; place < 64; ++place) {
+      const double phi = 2 * kPi * ((double(column) + (place % 8 + 0.5) / 8) / 512 - 0.5);
+      const double theta = kPi * (double(row) + (place / 8 + 0.5) / 8) / 256;
+      const auto rgb =
+          map.radiance({std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)});
+      sum += (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / 64;
+    }
+    return sum;
+  };
   double sum = 0, total = 0;
   for (std::size_t row = 0; row < map.height(); ++row)
     for (std::size_t column = 0; column < map.width(); ++column) {
-      const float* rgb = map.picture().pixel(column, row);
-      total += map.solidAngle(row) * (0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]));
+      total += map.solidAngle(row) * seen(column, row);
       sum += map.solidAngle(row) * sampler.pdf(map.direction(column, row));
     }
   EXPECT_NEAR(sum, 1, 1e-9);
-  const float* rgb = map.picture().pixel(100, 90);
-  const double luminance = 0.2126 * double(rgb[0]) + 0.7152 * double(rgb[1]) + 0.0722 * double(rgb[2]);
-  EXPECT_NEAR(sampler.pdf(map.direction(100, 90)), luminance / total, 1e-9);
+  for (const auto& [column, row] : {std::pair{100, 90}, {0, 100}, {511, 7}, {37, 0}, {300, 255}}) {
+    const auto x = static_cast<std::size_t>(column), y = static_cast<std::size_t>(row);
+    const double density = sampler.pdf(map.direction(x, y));
+    EXPECT_NEAR(density, seen(x, y) / total, 1e-9 * density) << column << ' ' << row;
+  }
+}
+
+TEST(EnvironmentSampler, NoLightIsMissedAroundASingleTexel) {
+  // Interpolation spreads one texel over its eight neighbours: whatever has light is drawn, with a bounded weight.
+  brdf::Image picture(64, 32, 3);
+  std::fill_n(picture.pixel(20, 9), 3, 1000.0f);
+  std::fill_n(picture.pixel(5, 0), 3, 1000.0f);
+  const EnvironmentMap map(picture);
+  const brdf::EnvironmentSampler sampler(map);
+  double estimate = 0, largest = 0, exact = 0;
+  constexpr std::size_t count = 1 << 20;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto [u, v] = brdf::r2(i, 0, 0);
+    const Direction d = sampler.sample(u, v);
+    const double weight = map.radiance(d)[0] / sampler.pdf(d);
+    estimate += weight / double(count);
+    largest = std::max(largest, weight);
+  }
+  constexpr int fine = 32;  // places along each side of a texel
+  for (int y = 0; y < 32 * fine; ++y)
+    for (int x = 0; x < 64 * fine; ++x) {
+      const double phi = 2 * kPi * ((x + 0.5) / (64 * fine) - 0.5), theta = kPi * (y + 0.5) / (32 * fine);
+      const Direction d{std::sin(theta) * std::sin(phi), std::cos(theta), -std::sin(theta) * std::cos(phi)};
+      exact += map.radiance(d)[0] * std::sin(theta) * 2 * kPi / (64 * fine) * kPi / (32 * fine);
+    }
+  EXPECT_NEAR(estimate, exact, 1e-3 * exact);
+  // In the corner that touches a bright texel its diagonal neighbour sees 1/4 where it sees 1/64 in the mean.
+  EXPECT_LT(largest, 16.5 * exact);
 }
 
 TEST(EnvironmentSampler, SamplesEstimateTheIrradiance) {
@@ -184,16 +226,14 @@ TEST(EnvironmentSampler, SamplesEstimateTheIrradiance) {
   constexpr int side = 300;
   for (int i = 0; i < side * side; ++i) {
     const Direction d = sampler.sample((i % side + 0.5) / side, (i / side + 0.5) / side);
-    const double density = sampler.pdf(d), cosine = std::max(0.0, brdf::dot(d, normal));
-    // Radiance of the texel, not interpolated: what the density is made from.
-    const auto column = static_cast<std::size_t>((0.5 + std::atan2(d[0], -d[2]) / (2 * kPi)) * 512) % 512;
-    const auto row = std::min<std::size_t>(static_cast<std::size_t>(std::acos(d[1]) / kPi * 256), 255);
-    const double value = cosine * double(map.picture().pixel(column, row)[1]) / density;
+    const double value = std::max(0.0, brdf::dot(d, normal)) * map.radiance(d)[1] / sampler.pdf(d);
     sum += value;
     squares += value * value;
   }
   const double count = side * side, mean = sum / count, deviation = std::sqrt((squares / count - mean * mean) / count);
-  EXPECT_NEAR(mean, map.irradiance(normal)[1], 4 * deviation);
+  // The map's irradiance takes texels for constant: 1e-3 apart from interpolation at this resolution.
+  const double expected = map.irradiance(normal)[1];
+  EXPECT_NEAR(mean, expected, 4 * deviation + 1e-3 * expected);
 }
 
 TEST(EnvironmentSampler, ABlackMapIsDrawnFromUniformly) {
