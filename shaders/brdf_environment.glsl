@@ -53,20 +53,6 @@ vec3 brdfDiffuse(vec3 normal)
   return textureLod(brdfDiffusePicture, vec2(around + 0.5 / 128.0, (down + 0.5) / 65.0), 0.0).rgb;
 }
 
-// Two independent random words from two words: M. Jarzynski and M. Olano, "Hash Functions for GPU Rendering", JCGT 9(3),
-// 2020, pcg2d.
-uvec2 brdfHash(uvec2 v)
-{
-  v = v * 1664525u + 1013904223u;
-  v.x += v.y * 1664525u;
-  v.y += v.x * 1664525u;
-  v ^= v >> 16u;
-  v.x += v.y * 1664525u;
-  v.y += v.x * 1664525u;
-  v ^= v >> 16u;
-  return v;
-}
-
 vec2 brdfUnit(uvec2 word)
 {
   return vec2(ivec2(word >> 8u)) * (1.0 / 16777216.0);

@@ -12,6 +12,7 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/io/EnvironmentMap.h>
+#include <brdf/io/EnvironmentSampler.h>
 
 #include <algorithm>
 #include <cmath>
@@ -82,8 +83,27 @@ public:
     this->RadianceTexture = nullptr;
     this->FootprintTexture = nullptr;
     this->DiffuseTexture = nullptr;
+    this->LightTexture = nullptr;
+    this->RowsTexture = nullptr;
     this->Window = nullptr;
   }
+  // All that there are.
+  template<class Action>
+  void ForEachTexture(Action action)
+  {
+    for (vtkTextureObject* texture : { this->RadianceTexture.Get(),
+                                       this->FootprintTexture.Get(),
+                                       this->DiffuseTexture.Get(),
+                                       this->LightTexture.Get(),
+                                       this->RowsTexture.Get() })
+    {
+      if (texture)
+      {
+        action(texture);
+      }
+    }
+  }
+  void UploadLight(vtkOpenGLRenderWindow* window);
 
   brdf::EnvironmentMap Map = brdf::EnvironmentMap::constant({ 1, 1, 1 });
   std::optional<brdf::OctahedralMap> Radiance;
@@ -91,7 +111,28 @@ public:
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   vtkSmartPointer<vtkTextureObject> RadianceTexture, FootprintTexture, DiffuseTexture;
   float FootprintUnit = 1;
+  vtkSmartPointer<vtkTextureObject> LightTexture, RowsTexture; // for unfiltered light
 };
+
+// The map itself with the tables of its density: see brdf_light.glsl.
+void vtkBRDFEnvironment::Internals::UploadLight(vtkOpenGLRenderWindow* window)
+{
+  const brdf::EnvironmentSampler sampler(this->Map);
+  const std::vector<float> columns = sampler.columnShares(), rows = sampler.rowShares();
+  std::vector<float> texels(4 * columns.size()), rowTexels(4 * rows.size());
+  for (std::size_t i = 0; i < columns.size(); ++i)
+  {
+    std::copy_n(this->Map.picture().values.data() + 3 * i, 3, texels.data() + 4 * i);
+    texels[4 * i + 3] = columns[i];
+  }
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    rowTexels[4 * i + 3] = rows[i];
+  }
+  this->LightTexture =
+    Upload(texels.data(), this->Map.width(), this->Map.height(), vtkTextureObject::ClampToEdge, window);
+  this->RowsTexture = Upload(rowTexels.data(), rows.size(), 1, vtkTextureObject::ClampToEdge, window);
+}
 
 vtkStandardNewMacro(vtkBRDFEnvironment);
 
@@ -179,36 +220,37 @@ const brdf::EnvironmentMap& vtkBRDFEnvironment::GetMap() const
   return this->Data->Map;
 }
 
-void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window)
+void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window, bool unfiltered)
 {
   Internals& data = *this->Data;
-  if (data.Window == window && data.RadianceTexture && data.RadianceTexture->GetHandle())
+  if (data.Window != window || !data.RadianceTexture || !data.RadianceTexture->GetHandle())
   {
-    return;
+    data.Release();
+    if (!data.Radiance)
+    {
+      data.Radiance = data.Map.radianceMap(static_cast<std::size_t>(this->GetMapSize()));
+      data.Diffuse = data.Map.diffuseMap();
+    }
+    const brdf::OctahedralMap& radiance = *data.Radiance;
+    data.RadianceTexture =
+      Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+    const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
+    data.FootprintTexture =
+      Upload(footprints.words.data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+    data.FootprintUnit = footprints.unit;
+    data.DiffuseTexture =
+      Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);
+    data.Window = window;
   }
-  data.Release();
-  if (!data.Radiance)
+  if (unfiltered && !data.LightTexture)
   {
-    data.Radiance = data.Map.radianceMap(static_cast<std::size_t>(this->GetMapSize()));
-    data.Diffuse = data.Map.diffuseMap();
+    data.UploadLight(window);
   }
-  const brdf::OctahedralMap& radiance = *data.Radiance;
-  data.RadianceTexture =
-    Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
-  const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
-  data.FootprintTexture =
-    Upload(footprints.words.data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
-  data.FootprintUnit = footprints.unit;
-  data.DiffuseTexture =
-    Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);
-  data.Window = window;
 }
 
 void vtkBRDFEnvironment::ActivateTextures()
 {
-  this->Data->RadianceTexture->Activate();
-  this->Data->FootprintTexture->Activate();
-  this->Data->DiffuseTexture->Activate();
+  this->Data->ForEachTexture([](vtkTextureObject* texture) { texture->Activate(); });
 }
 
 void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
@@ -223,13 +265,16 @@ void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
   program->SetUniformf("brdfRadianceMap.last", static_cast<float>(data.Radiance->levels() - 1));
   program->SetUniform2f("brdfRadianceMap.texel", texel);
   program->SetUniformi("brdfDiffusePicture", data.DiffuseTexture->GetTextureUnit());
+  if (data.LightTexture)
+  {
+    program->SetUniformi("brdfLightPicture", data.LightTexture->GetTextureUnit());
+    program->SetUniformi("brdfLightRows", data.RowsTexture->GetTextureUnit());
+  }
 }
 
 void vtkBRDFEnvironment::DeactivateTextures()
 {
-  this->Data->RadianceTexture->Deactivate();
-  this->Data->FootprintTexture->Deactivate();
-  this->Data->DiffuseTexture->Deactivate();
+  this->Data->ForEachTexture([](vtkTextureObject* texture) { texture->Deactivate(); });
 }
 
 void vtkBRDFEnvironment::ReleaseGraphicsResources(vtkWindow* window)

@@ -72,13 +72,13 @@ public:
   const brdf::EnvironmentMap& GetMap() const;
   ///@}
 
-  /** Makes the maps and their textures for a window, whose context is current, where they are missing. Throws
-   * brdf::Error. */
-  void UpdateTextures(vtkOpenGLRenderWindow* window);
+  /** Makes the maps and their textures for a window, whose context is current, where they are missing. With
+   * `unfiltered` also the map itself with its own density (16 bytes a pixel of the file). Throws brdf::Error. */
+  void UpdateTextures(vtkOpenGLRenderWindow* window, bool unfiltered = false);
 
   ///@{
-  /** Binds the textures and gives them to the uniforms of brdf_map.glsl and brdf_environment.glsl, until
-   * DeactivateTextures. */
+  /** Binds the textures and gives them to the uniforms of brdf_map.glsl, brdf_environment.glsl and brdf_light.glsl,
+   * until DeactivateTextures. */
   void ActivateTextures();
   void SetUniforms(vtkShaderProgram* program);
   void DeactivateTextures();

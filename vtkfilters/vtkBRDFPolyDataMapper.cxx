@@ -118,7 +118,8 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     this->UpdateMaterial();
     if (this->Environment)
     {
-      this->Environment->UpdateTextures(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()));
+      this->Environment->UpdateTextures(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()),
+                                        this->Mode == MODE_CONVERGING);
       this->Environment->ActivateTextures();
     }
     this->Superclass::RenderPiece(renderer, actor);
@@ -168,6 +169,10 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   // A geometry shader (wide lines, edges) would have to pass the tangent on.
   const bool tangents =
     this->VBOs->GetNumberOfComponents("tangentMC") == 3 && shaders[vtkShader::Geometry]->GetSource().empty();
+  using Light = vtkBRDFShaderText::Environment;
+  const Light environment = !this->Environment              ? Light::None
+                            : this->Mode == MODE_CONVERGING ? Light::Unfiltered
+                                                            : Light::Filtered;
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::System::Dec",
                                "//VTK::System::Dec\n"
@@ -176,7 +181,7 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::Light::Dec",
                                std::string(tangents ? "in vec3 brdfTangentVC;\n" : "") +
-                                 this->Material->Shader->Text(this->Environment != nullptr),
+                                 this->Material->Shader->Text(environment),
                                false);
   vtkShaderProgram::Substitute(
     fragment,
@@ -212,6 +217,10 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
     const auto samples = shader.Samples(this->NumberOfSamples);
     program->SetUniform3fv("brdfScales", shader.NumberOfTerms(), shader.Scales().data());
     program->SetUniform1iv("brdfSamples", shader.NumberOfTerms(), samples.data());
+    if (this->Mode == MODE_CONVERGING)
+    {
+      program->SetUniform1fv("brdfShares", shader.NumberOfTerms(), shader.Shares().data());
+    }
   }
   program->SetUniformf("brdfGain", static_cast<float>(std::exp2(this->Exposure)));
   program->SetUniformi("brdfEncoded", this->EncodeForDisplay);
@@ -254,6 +263,12 @@ void vtkBRDFPolyDataMapper::SetEnvironmentUniforms(vtkShaderProgram* program, vt
   program->SetUniformMatrix3x3("brdfViewToEnvironment", matrix);
   program->SetUniformf("brdfFilter", static_cast<float>(std::exp2(2 * this->LevelBias)));
   program->SetUniformi("brdfSeed", this->Seed);
+  if (this->Mode == MODE_CONVERGING)
+  {
+    program->SetUniformi("brdfFirst", this->FirstPoint);
+    program->SetUniformi("brdfCount", this->NumberOfPoints);
+    program->SetUniformi("brdfRandom", this->Sequence == SEQUENCE_RANDOM);
+  }
   this->Environment->SetUniforms(program);
 }
 
@@ -318,6 +333,8 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Environment: " << this->Environment << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
+     << indent << "Mode: " << this->Mode << "\n"
+     << indent << "Sequence: " << this->Sequence << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"

@@ -31,6 +31,10 @@ class vtkShaderProgram;
  * blurs the light by about a sample's solid angle. A constant lobe takes the cosine-convolved map instead. Points are
  * R2, shifted per pixel.
  *
+ * In converging mode nothing is filtered: every drawing adds a few points of a scrambled Sobol sequence, each of which
+ * draws one direction from the map's own density and one from the lobes together, combined by the balance heuristic
+ * (Veach 1997, equation 9.8). One drawing is noise; vtkBRDFRender averages them until a standard error is reached.
+ *
  * Lights of the renderer: a vtkLight's color times intensity is irradiance across the beam for a directional light, and
  * radiant intensity of a positional one (falling off with the square of distance; cone and attenuation are not used).
  * At most eight. Headlights shine only where there is no environment, because renderers make one by themselves.
@@ -86,6 +90,37 @@ public:
   vtkSetMacro(LevelBias, double);
   vtkGetMacro(LevelBias, double);
   ///@}
+
+  enum ModeType
+  {
+    MODE_INTERACTIVE = 0, // filtered importance sampling (default)
+    MODE_CONVERGING = 1   // unfiltered; a drawing is one frame of many
+  };
+  enum SequenceType
+  {
+    SEQUENCE_LOW_DISCREPANCY = 0, // scrambled Sobol points (default)
+    SEQUENCE_RANDOM = 1           // independent points, for studies: the error falls slower
+  };
+
+  ///@{
+  /** How light from the environment is summed. */
+  vtkSetClampMacro(Mode, int, MODE_INTERACTIVE, MODE_CONVERGING);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /** The points of converging mode. */
+  vtkSetClampMacro(Sequence, int, SEQUENCE_LOW_DISCREPANCY, SEQUENCE_RANDOM);
+  vtkGetMacro(Sequence, int);
+  ///@}
+
+  /** What the next drawing in converging mode shows: the mean of `count` points, from number `first` on, of the
+   * sequence that `Seed` scrambles; default 0, 16. The mapper does not count as modified. */
+  void SetFrame(int first, int count)
+  {
+    this->FirstPoint = first;
+    this->NumberOfPoints = count;
+  }
 
   ///@{
   /** Chooses the pattern of the samples' noise; default 0. The mapper does not count as modified: its geometry and
@@ -145,6 +180,10 @@ private:
   std::string ErrorText;
   int NumberOfSamples = 64;
   double LevelBias = 0;
+  int Mode = MODE_INTERACTIVE;
+  int Sequence = SEQUENCE_LOW_DISCREPANCY;
+  int FirstPoint = 0;
+  int NumberOfPoints = 16;
   int Seed = 0;
   double Exposure = 0;
   std::string Illuminant;

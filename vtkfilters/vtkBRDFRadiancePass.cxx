@@ -26,6 +26,7 @@
 #include "vtkTextureObject.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/models/Model.h>
 
 #include <algorithm>
 #include <cmath>
@@ -34,12 +35,13 @@ vtkStandardNewMacro(vtkBRDFRadiancePass);
 
 namespace
 {
-std::unique_ptr<vtkOpenGLQuadHelper> MakeQuad(vtkOpenGLRenderWindow* window, const char* fragmentFile)
+std::unique_ptr<vtkOpenGLQuadHelper> MakeQuad(vtkOpenGLRenderWindow* window,
+                                              const char* fragmentFile,
+                                              const std::string& declarations)
 {
   const std::string vertex(vtkBRDFShaderText::File("brdf_background.vert.glsl"));
   std::string fragment(vtkBRDFShaderText::File(fragmentFile));
-  vtkShaderProgram::Substitute(
-    fragment, "//BRDF::Map::Dec", std::string(vtkBRDFShaderText::File("brdf_map.glsl")), false);
+  vtkShaderProgram::Substitute(fragment, "//BRDF::Map::Dec", declarations, false);
   auto quad = std::make_unique<vtkOpenGLQuadHelper>(window, vertex.c_str(), fragment.c_str(), "");
   if (!quad->Program)
   {
@@ -106,6 +108,12 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
     throw brdf::Error(brdf::Error::Kind::Device,
                       { "OpenGL device without a framebuffer of 32-bit floats", {}, {}, {} });
   }
+  if (this->AfterFrame)
+  {
+    this->DrawFrames(state);
+    gl->vtkglEnable(GL_BLEND);
+    return;
+  }
   this->DrawFrame(state, 0, this->Pixels);
   if (this->EdgeSamples > 1)
   {
@@ -116,6 +124,21 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
     }
   }
   gl->vtkglEnable(GL_BLEND);
+}
+
+void vtkBRDFRadiancePass::DrawFrames(const vtkRenderState* state)
+{
+  vtkCamera* camera = state->GetRenderer()->GetActiveCamera();
+  double center[2];
+  camera->GetWindowCenter(center);
+  int frame = 0;
+  do
+  {
+    camera->SetWindowCenter(center[0] + 2 * this->Offset[0] / this->Size[0],
+                            center[1] + 2 * this->Offset[1] / this->Size[1]);
+    this->DrawFrame(state, frame++, this->Pixels);
+    camera->SetWindowCenter(center[0], center[1]);
+  } while (this->AfterFrame());
 }
 
 // Draws the scene; where the renderer preserves its depth buffer, only into what is open in it.
@@ -248,7 +271,7 @@ void vtkBRDFRadiancePass::DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow
 {
   if (!this->MaskQuad)
   {
-    this->MaskQuad = MakeQuad(window, "brdf_mask.frag.glsl");
+    this->MaskQuad = MakeQuad(window, "brdf_mask.frag.glsl", {});
   }
   window->GetShaderCache()->ReadyShaderProgram(this->MaskQuad->Program);
   vtkOpenGLState* gl = window->GetState();
@@ -270,11 +293,18 @@ void vtkBRDFRadiancePass::DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow
 
 void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window)
 {
-  if (!this->BackgroundQuad)
+  auto& quad = this->UnfilteredBackground ? this->UnfilteredQuad : this->BackgroundQuad;
+  if (!quad)
   {
-    this->BackgroundQuad = MakeQuad(window, "brdf_background.frag.glsl");
+    std::string declarations(vtkBRDFShaderText::File("brdf_map.glsl"));
+    if (this->UnfilteredBackground)
+    {
+      declarations = brdf::Model::glslPrelude() + std::string(vtkBRDFShaderText::File("brdf_light.glsl")) +
+                     "#define BRDF_UNFILTERED\n" + declarations;
+    }
+    quad = MakeQuad(window, "brdf_background.frag.glsl", declarations);
   }
-  window->GetShaderCache()->ReadyShaderProgram(this->BackgroundQuad->Program);
+  window->GetShaderCache()->ReadyShaderProgram(quad->Program);
   // From clip coordinates to directions of the map: projection and view rotation undone, then the map's own rotation.
   vtkCamera* camera = renderer->GetActiveCamera();
   vtkNew<vtkMatrix4x4> view, matrix;
@@ -294,9 +324,9 @@ void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderW
   rotation->SetElement(2, 2, std::cos(angle));
   vtkMatrix4x4::Multiply4x4(rotation, matrix, matrix);
   matrix->Transpose(); // OpenGL takes columns first
-  this->Background->UpdateTextures(window);
+  this->Background->UpdateTextures(window, this->UnfilteredBackground);
   this->Background->ActivateTextures();
-  vtkShaderProgram* program = this->BackgroundQuad->Program;
+  vtkShaderProgram* program = quad->Program;
   program->SetUniformMatrix("brdfClipToEnvironment", matrix);
   program->SetUniformf("brdfLevel", static_cast<float>(this->BackgroundLevel));
   program->SetUniformf("brdfGain", static_cast<float>(this->BackgroundGain));
@@ -304,7 +334,7 @@ void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderW
   vtkOpenGLState* gl = window->GetState();
   gl->vtkglDepthFunc(GL_LEQUAL);
   gl->vtkglDepthMask(GL_FALSE);
-  this->BackgroundQuad->Render();
+  quad->Render();
   gl->vtkglDepthMask(GL_TRUE);
   this->Background->DeactivateTextures();
 }
@@ -314,5 +344,6 @@ void vtkBRDFRadiancePass::ReleaseGraphicsResources(vtkWindow* window)
   this->Buffer->ReleaseGraphicsResources(window);
   this->Opaque->ReleaseGraphicsResources(window);
   this->BackgroundQuad.reset();
+  this->UnfilteredQuad.reset();
   this->MaskQuad.reset();
 }

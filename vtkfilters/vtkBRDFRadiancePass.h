@@ -32,7 +32,13 @@ public:
   vtkBRDFEnvironment* Background = nullptr; // null: the renderer's background colour, linear
   double BackgroundLevel = 0;               // level of the map of the background
   double BackgroundGain = 1;
+  bool UnfilteredBackground = false;    // the map itself behind the scene, not the filtered one
   std::function<void(int)> BeforeFrame; // called with 0, 1, ... before each drawing of the scene
+
+  // Where set, the scene is drawn again and again, all pixels at Offset (in pixels from their centres), until this
+  // returns false. It finds the frame in Pixels and may change Offset. EdgeSamples is not used then.
+  std::function<bool()> AfterFrame;
+  double Offset[2] = { 0, 0 };
 
   // Result: R, G, B, A, rows from the bottom; empty when it failed, and then why, in one line.
   std::vector<float> Pixels;
@@ -51,6 +57,7 @@ private:
 
   void Draw(const vtkRenderState* state); // throws brdf::Error
   void DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels);
+  void DrawFrames(const vtkRenderState* state);
   void DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
   void DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow* window);
   std::vector<float> FindEdges(vtkRenderer* renderer);
@@ -58,6 +65,6 @@ private:
 
   vtkNew<vtkOpenGLFramebufferObject> Buffer;
   vtkSmartPointer<vtkRenderPass> Opaque;
-  std::unique_ptr<vtkOpenGLQuadHelper> BackgroundQuad, MaskQuad;
+  std::unique_ptr<vtkOpenGLQuadHelper> BackgroundQuad, UnfilteredQuad, MaskQuad;
 };
 #endif

@@ -1,6 +1,7 @@
 #include "vtkBRDFRender.h"
 
 #include "vtkBRDF.h"
+#include "vtkBRDFConvergence.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFHeadlessRenderWindow.h"
 #include "vtkBRDFImageConversion.h"
@@ -196,6 +197,8 @@ void vtkBRDFRender::PrepareObjects(vtkInformationVector** inputs)
     object->Mapper->SetEnvironment(this->Environment);
     object->Mapper->SetNumberOfSamples(this->NumberOfSamples);
     object->Mapper->SetLevelBias(this->LevelBias);
+    object->Mapper->SetMode(this->Mode);
+    object->Mapper->SetSequence(this->Sequence);
     object->Mapper->SetExposure(this->Exposure);
     object->Mapper->SetIlluminant(this->Illuminant);
     object->Mapper->SetObserver(this->Observer);
@@ -308,10 +311,19 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   }
   this->PrepareCamera();
   this->PrepareBackground();
+  scene.Pass->UnfilteredBackground = this->Mode == MODE_CONVERGING && this->BackgroundBlur <= 0;
   scene.Pass->EdgeSamples = this->EdgeSamples;
   std::copy_n(this->Size, 2, scene.Pass->Size);
   scene.Window->SetSize(this->Size);
-  scene.Window->Render();
+  this->StandardError->Initialize();
+  if (this->Mode == MODE_CONVERGING)
+  {
+    this->Converge();
+  }
+  else
+  {
+    scene.Window->Render();
+  }
   std::vector<std::string> errors{ scene.Pass->ErrorText };
   for (Scene::Object* object : scene.Objects())
   {
@@ -328,8 +340,71 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   {
     throw brdf::Error(brdf::Error::Kind::Device, { "nothing was drawn", {}, scene.Window->GetDeviceDescription(), {} });
   }
-  this->Compose(vtkImageData::GetData(outputs));
+  vtkImageData* output = vtkImageData::GetData(outputs);
+  this->Compose(output);
+  if (this->Mode == MODE_CONVERGING)
+  {
+    output->GetPointData()->AddArray(this->StandardError->GetPointData()->GetScalars());
+  }
   return 1;
+}
+
+// Draws frame after frame and leaves their mean in the pass, their standard error in StandardError.
+void vtkBRDFRender::Converge()
+{
+  Scene& scene = this->GetScene();
+  vtkBRDFRadiancePass* pass = scene.Pass;
+  vtkBRDFConvergence convergence(
+    this->Size[0], this->Size[1], this->MaximumSamples, this->Tolerance, this->EdgeSamples > 1);
+  this->SamplesDrawn = 0;
+  this->RelativeError = convergence.RelativeError();
+  this->Converged = false;
+  const auto beforeFrame = pass->BeforeFrame;
+  pass->BeforeFrame = [&](int)
+  {
+    const vtkBRDFConvergence::Frame& frame = convergence.Next();
+    for (Scene::Object* object : scene.Objects())
+    {
+      object->Mapper->SetSeed(vtkBRDFConvergence::Replicates * this->Seed + frame.Replicate);
+      object->Mapper->SetFrame(frame.First, frame.Count);
+    }
+  };
+  std::copy_n(convergence.Next().Offset, 2, pass->Offset);
+  pass->AfterFrame = [&]
+  {
+    for (Scene::Object* object : scene.Objects())
+    {
+      if (!object->Mapper->GetErrorText().empty())
+      {
+        return false;
+      }
+    }
+    const bool more = convergence.Add(pass->Pixels);
+    std::copy_n(convergence.Next().Offset, 2, pass->Offset);
+    this->SamplesDrawn = static_cast<int>(convergence.Film().points());
+    this->RelativeError = convergence.RelativeError();
+    this->UpdateProgress(static_cast<double>(this->SamplesDrawn) / this->MaximumSamples);
+    return more && !(this->GetAbortExecute() && convergence.HasPicture());
+  };
+  scene.Window->Render();
+  pass->BeforeFrame = beforeFrame;
+  pass->AfterFrame = nullptr;
+  if (!pass->ErrorText.empty() || !convergence.HasPicture())
+  {
+    return;
+  }
+  this->Converged = convergence.Converged();
+  this->RelativeError = convergence.RelativeError();
+  pass->Pixels = convergence.Film().mean().values;
+  const brdf::Image error = convergence.Film().standardError();
+  this->StandardError->SetDimensions(this->Size[0], this->Size[1], 1);
+  this->StandardError->AllocateScalars(VTK_FLOAT, 3);
+  this->StandardError->GetPointData()->GetScalars()->SetName("standard error");
+  std::copy(error.values.begin(), error.values.end(), static_cast<float*>(this->StandardError->GetScalarPointer()));
+  if (convergence.Film().notFinite() > 0)
+  {
+    vtkWarningMacro(<< convergence.Film().notFinite() << " values of frames were not finite and counted as 0");
+  }
 }
 
 void vtkBRDFRender::AddObject(vtkPolyData* surface, vtkBRDF* material, vtkMatrix4x4* placement)
@@ -422,6 +497,11 @@ void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
+     << indent << "Mode: " << this->Mode << "\n"
+     << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "MaximumSamples: " << this->MaximumSamples << "\n"
+     << indent << "Sequence: " << this->Sequence << "\n"
+     << indent << "Seed: " << this->Seed << "\n"
      << indent << "EdgeSamples: " << this->EdgeSamples << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"

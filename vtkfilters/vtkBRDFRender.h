@@ -2,6 +2,7 @@
 #define vtkBRDFRender_h
 #include "vtkBRDFAlgorithm.h"
 #include "vtkBRDFFiltersModule.h" // For export macro
+#include "vtkNew.h"               // For vtkNew
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -66,8 +67,69 @@ public:
   vtkGetVector2Macro(Size, int);
   ///@}
 
+  enum ModeType
+  {
+    MODE_INTERACTIVE = 0, // filtered importance sampling with NumberOfSamples (default)
+    MODE_CONVERGING = 1   // unfiltered, until Tolerance or MaximumSamples
+  };
+  enum SequenceType
+  {
+    SEQUENCE_LOW_DISCREPANCY = 0, // scrambled Sobol points (default)
+    SEQUENCE_RANDOM = 1           // independent points, for studies: the error falls slower
+  };
+
   ///@{
-  /** Samples of the environment a pixel; default 64. */
+  /** How light from the environment is summed. In converging mode nothing is filtered and the picture has no bias; what
+   * it has is noise, which is measured: the output gets a second array of point data, "standard error", that of every
+   * number. Edges are part of it (see EdgeSamples). ProgressEvent comes after each frame; with SetAbortExecute(1) the
+   * picture so far is kept. */
+  vtkSetClampMacro(Mode, int, MODE_INTERACTIVE, MODE_CONVERGING);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /** Converging mode stops when the standard error of the luminance, root mean square over the picture, is below this
+   * part of the picture's mean luminance (as brdf::ReferenceOptions::tolerance), which is looked at whenever the number
+   * of samples has doubled; default 0.01; 0: draw all samples. */
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /** Samples a pixel at most in converging mode, each a direction of the environment and one of the material; a
+   * multiple of 8 is drawn, at least 16; default 4096. */
+  vtkSetClampMacro(MaximumSamples, int, 8, 1 << 24);
+  vtkGetMacro(MaximumSamples, int);
+  ///@}
+
+  ///@{
+  /** The points of converging mode. */
+  vtkSetClampMacro(Sequence, int, SEQUENCE_LOW_DISCREPANCY, SEQUENCE_RANDOM);
+  vtkGetMacro(Sequence, int);
+  ///@}
+
+  ///@{
+  /** Another number gives a picture in converging mode whose noise has nothing to do with this one's; default 0. */
+  vtkSetClampMacro(Seed, int, 0, 4095);
+  vtkGetMacro(Seed, int);
+  ///@}
+
+  ///@{
+  /** Of the last picture in converging mode, or of the one in progress: samples drawn a pixel, the standard error that
+   * Tolerance is compared with (infinite before the first round), and whether it was reached. */
+  vtkGetMacro(SamplesDrawn, int);
+  vtkGetMacro(RelativeError, double);
+  vtkGetMacro(Converged, bool);
+  ///@}
+
+  /** The standard error of every number of the output, as a picture of its own; empty in interactive mode. */
+  vtkImageData* GetStandardError()
+  {
+    return this->StandardError;
+  }
+
+  ///@{
+  /** Samples of the environment a pixel in interactive mode; default 64. */
   vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 20);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
@@ -80,8 +142,8 @@ public:
 
   ///@{
   /** Places inside a pixel at which silhouettes and steps in depth are drawn and averaged, 1 for the centre only;
-   * default
-   * 8. Inside surfaces the centre is drawn. */
+   * default 8. Inside surfaces the centre is drawn. In converging mode with more than 1 every frame is drawn at another
+   * place in the pixels, so that the picture is the mean over each pixel. */
   vtkSetClampMacro(EdgeSamples, int, 1, 64);
   vtkGetMacro(EdgeSamples, int);
   ///@}
@@ -196,6 +258,7 @@ private:
   void PrepareCamera();
   void PrepareBackground();
   void Compose(vtkImageData* output);
+  void Converge();
 
   std::unique_ptr<Scene> Graphics;                      // made when first needed
   std::shared_ptr<const brdf::EnvironmentMap> SceneMap; // of SetScene's environment, and the factor on it
@@ -206,6 +269,15 @@ private:
   int Size[2] = { 512, 512 };
   int NumberOfSamples = 64;
   double LevelBias = 0;
+  int Mode = MODE_INTERACTIVE;
+  double Tolerance = 0.01;
+  int MaximumSamples = 4096;
+  int Sequence = SEQUENCE_LOW_DISCREPANCY;
+  int Seed = 0;
+  int SamplesDrawn = 0;
+  double RelativeError = 0;
+  bool Converged = false;
+  vtkNew<vtkImageData> StandardError;
   int EdgeSamples = 8;
   double Exposure = 0;
   std::string Illuminant;

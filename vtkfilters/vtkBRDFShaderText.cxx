@@ -87,6 +87,21 @@ std::vector<int> vtkBRDFShaderText::Samples(int samples) const
   return counts;
 }
 
+std::vector<float> vtkBRDFShaderText::Shares() const
+{
+  double total = 0;
+  for (const Term& term : this->Terms)
+  {
+    total += term.Weight;
+  }
+  std::vector<float> shares;
+  for (const Term& term : this->Terms)
+  {
+    shares.push_back(total > 0 ? static_cast<float>(term.Weight / total) : 0.0f);
+  }
+  return shares;
+}
+
 // The functions of one term, which every way of drawing is written with: value with its scale, draw and density.
 std::string vtkBRDFShaderText::TermText(std::size_t index) const
 {
@@ -161,7 +176,24 @@ std::string vtkBRDFShaderText::EnvironmentText() const
   return text + "  return radiance;\n}\n";
 }
 
-std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment) const
+// Drawing from all terms together, each with its share: the first number chooses the term, and what is left of it
+// serves the draw.
+std::string vtkBRDFShaderText::MixtureText() const
+{
+  std::string sample = "vec3 brdfMaterialSample(vec3 wo, vec2 u)\n{\n";
+  std::string density = "float brdfMaterialPdf(vec3 wi, vec3 wo)\n{\n  float density = 0.0;\n";
+  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  {
+    const std::string index = std::to_string(i), name = "brdfTerm" + index, share = "brdfShares[" + index + "]";
+    sample += "  if (u.x < " + share + ")\n  {\n    return " + name + "_sample(wo, vec2(min(u.x / " + share +
+              ", 0.99999994), u.y));\n  }\n  u.x -= " + share + ";\n";
+    density += "  if (" + share + " > 0.0)\n  {\n    density += " + share + " * " + name + "_pdf(wi, wo);\n  }\n";
+  }
+  // What rounding leaves beyond the last share draws nothing.
+  return sample + "  return vec3(0.0);\n}\n" + density + "  return density;\n}\n";
+}
+
+std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment environment) const
 {
   const std::string terms = std::to_string(std::max<std::size_t>(this->Terms.size(), 1));
   std::vector<Piece> pieces;
@@ -175,11 +207,23 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment
     uniforms += "float brdfParameter" + number + " = brdfParameters[" + number + "];\n";
   }
   pieces.push_back({ "uniforms of the material", uniforms });
-  if (environment)
+  const auto add = [&pieces](const char* file, const std::string& before = {}) {
+    pieces.push_back({ file, before + (before.empty() ? "" : "#line 1\n") + std::string(File(file)) });
+  };
+  const bool filtered = environment == Environment::Filtered, unfiltered = environment == Environment::Unfiltered;
+  if (filtered || unfiltered)
   {
-    pieces.push_back({ "brdf_map.glsl", std::string(File("brdf_map.glsl")) });
-    pieces.push_back(
-      { "brdf_environment.glsl", "#define BRDF_ENVIRONMENT\n#line 1\n" + std::string(File("brdf_environment.glsl")) });
+    add("brdf_points.glsl", "#define BRDF_ENVIRONMENT\n");
+  }
+  if (filtered)
+  {
+    add("brdf_map.glsl");
+    add("brdf_environment.glsl");
+  }
+  if (unfiltered)
+  {
+    add("brdf_light.glsl");
+    add("brdf_converging.glsl", "#define BRDF_TERMS " + terms + "\n");
   }
   for (const auto& model : this->Models)
   {
@@ -188,21 +232,25 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(bool environment
   for (std::size_t i = 0; i < this->Terms.size(); ++i)
   {
     pieces.push_back({ "term " + std::to_string(i), this->TermText(i) });
-    if (environment && !this->Terms[i].Model->constant())
+    if (filtered && !this->Terms[i].Model->constant())
     {
       pieces.push_back({ "environment light on term " + std::to_string(i), this->ReflectedText(i) });
     }
   }
   pieces.push_back({ "value of the material", this->ValueText() });
-  if (environment)
+  if (filtered)
   {
     pieces.push_back({ "environment light on the material", this->EnvironmentText() });
   }
-  pieces.push_back({ "brdf_surface.glsl", std::string(File("brdf_surface.glsl")) });
+  if (unfiltered)
+  {
+    pieces.push_back({ "drawing from the material", this->MixtureText() });
+  }
+  add("brdf_surface.glsl");
   return pieces;
 }
 
-std::string vtkBRDFShaderText::Text(bool environment) const
+std::string vtkBRDFShaderText::Text(Environment environment) const
 {
   std::string text;
   int number = 0;

@@ -26,15 +26,26 @@ public:
   // Same text for the same structure.
   const std::string& Structure() const { return this->StructureText; }
 
-  // GLSL of the whole material, for the place of the declarations, with or without environment light. Every piece
-  // starts with its name in a comment and a #line, whose source number counts the pieces from 0.
-  std::string Text(bool environment) const;
+  // How light from an environment reaches the material.
+  enum class Environment
+  {
+    None,
+    Filtered,  // importance sampling of each term, the map filtered by the samples' solid angles
+    Unfiltered // importance sampling of the terms and the map together, a few points of a long sequence
+  };
 
-  // Uniforms: brdfParameters (floats), brdfScales (3 floats a term), brdfSamples (1 integer a term).
+  // GLSL of the whole material, for the place of the declarations. Every piece starts with its name in a comment and a
+  // #line, whose source number counts the pieces from 0.
+  std::string Text(Environment environment) const;
+
+  // Uniforms: brdfParameters (floats), brdfScales (3 floats a term), brdfSamples (1 integer a term), brdfShares (1
+  // float a term).
   const std::vector<float>& Parameters() const { return this->ParameterValues; }
   const std::vector<float>& Scales() const { return this->ScaleValues; }
   // `samples` divided among the terms by their contribution, at least 8 for a term that reflects anything.
   std::vector<int> Samples(int samples) const;
+  // Shares of the terms in the draws of unfiltered light: their contribution; sum 1, or 0 where nothing reflects.
+  std::vector<float> Shares() const;
 
   int NumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
 
@@ -53,11 +64,12 @@ private:
     std::size_t Offset; // of its first parameter
     double Weight;      // share of the samples
   };
-  std::vector<Piece> Pieces(bool environment) const;
+  std::vector<Piece> Pieces(Environment environment) const;
   std::string TermText(std::size_t index) const;
   std::string ReflectedText(std::size_t index) const;
   std::string ValueText() const;
   std::string EnvironmentText() const;
+  std::string MixtureText() const;
 
   std::vector<brdf::ModelPointer> Models; // distinct ones, in order of first use
   std::vector<Term> Terms;

@@ -26,7 +26,7 @@ std::size_t checkedPixels(std::size_t width, std::size_t height) {
 }  // namespace
 
 ReplicateFilm::ReplicateFilm(std::size_t width, std::size_t height)
-    : width_(width), height_(height), sums_(3 * checkedPixels(width, height) * kReplicates), points_(kReplicates) {}
+    : width_(width), height_(height), sums_(4 * checkedPixels(width, height) * kReplicates), points_(kReplicates) {}
 
 void ReplicateFilm::add(std::size_t replicate, std::span<const float> rgba, std::size_t points) {
   const std::size_t pixels = width_ * height_;
@@ -35,16 +35,16 @@ void ReplicateFilm::add(std::size_t replicate, std::span<const float> rgba, std:
                                      {},
                                      std::to_string(rgba.size()),
                                      std::to_string(4 * pixels) + " numbers"});
-  double* sums = sums_.data() + replicate * 3 * pixels;
+  double* sums = sums_.data() + replicate * 4 * pixels;
   const auto weight = static_cast<double>(points);
   std::atomic<std::size_t> bad = 0;
   parallelFor(pixels, kGrain, [&](std::size_t first, std::size_t last) {
     std::size_t found = 0;
     for (std::size_t pixel = first; pixel < last; ++pixel)
-      for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t c = 0; c < 4; ++c) {
         const float value = rgba[4 * pixel + c];
         if (std::isfinite(value))
-          sums[3 * pixel + c] += weight * double(value);
+          sums[4 * pixel + c] += weight * double(value);
         else
           ++found;
       }
@@ -64,7 +64,7 @@ double ReplicateFilm::relativeError() const {
     for (std::size_t pixel = first; pixel < last; ++pixel) {
       double luminance[kReplicates], mean = 0;
       for (std::size_t r = 0; r < kReplicates; ++r) {
-        const double* rgb = sums(r) + 3 * pixel;
+        const double* rgb = sums(r) + 4 * pixel;
         luminance[r] = (0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]) / static_cast<double>(points_[r]);
         mean += luminance[r] / kReplicates;
       }
@@ -81,7 +81,7 @@ double ReplicateFilm::relativeError() const {
 }
 
 Image ReplicateFilm::mean() const {
-  Image image(width_, height_, 3);
+  Image image(width_, height_, 4);
   parallelFor(image.values.size(), kGrain, [&](std::size_t first, std::size_t last) {
     const auto all = static_cast<double>(std::max<std::size_t>(points(), 1));
     for (std::size_t i = first; i < last; ++i) {
@@ -98,7 +98,7 @@ Image ReplicateFilm::standardError() const {
   parallelFor(image.values.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       double mean = 0, square = 0;
-      const auto value = [&](std::size_t r) { return sums(r)[i] / static_cast<double>(points_[r]); };
+      const auto value = [&](std::size_t r) { return sums(r)[4 * (i / 3) + i % 3] / static_cast<double>(points_[r]); };
       for (std::size_t r = 0; r < kReplicates; ++r) mean += value(r) / kReplicates;
       for (std::size_t r = 0; r < kReplicates; ++r) square += (value(r) - mean) * (value(r) - mean);
       image.values[i] = static_cast<float>(std::sqrt(square / (kReplicates * (kReplicates - 1))));

@@ -15,14 +15,14 @@ namespace brdf {
 /// (L'Ecuyer and Lemieux 2002, "Recent Advances in Randomized Quasi-Monte Carlo Methods",
 /// doi 10.1007/0-306-48102-2_20).
 ///
-/// Sums are in double: 24 bytes a pixel and replicate.
+/// Sums are in double: 32 bytes a pixel and replicate.
 class BRDF_EXPORT ReplicateFilm {
  public:
   /// With 8 replicates the standard error of one number is itself known to 1 / sqrt(2 * 7) = 27 %, that of a picture of
   /// many pixels much better; more replicates are less well spread for the same number of points.
   static constexpr std::size_t kReplicates = 8;
 
-  /// Throws Error::Kind::Value above 4096 x 4096 pixels (3.2 GB).
+  /// Throws Error::Kind::Value above 4096 x 4096 pixels (4.3 GB).
   ReplicateFilm(std::size_t width, std::size_t height);
 
   /// Adds to one replicate the mean of `points` further points: R, G, B, A by pixel, rows from the top down or all from
@@ -42,10 +42,10 @@ class BRDF_EXPORT ReplicateFilm {
   std::size_t notFinite() const { return notFinite_; }
 
  private:
-  const double* sums(std::size_t replicate) const { return sums_.data() + replicate * 3 * width_ * height_; }
+  const double* sums(std::size_t replicate) const { return sums_.data() + replicate * 4 * width_ * height_; }
 
   std::size_t width_, height_;
-  std::vector<double> sums_;         ///< by replicate, pixel, channel: value times points
+  std::vector<double> sums_;         ///< by replicate, pixel, channel: value times points, R G B A
   std::vector<std::size_t> points_;  ///< by replicate
   std::size_t notFinite_ = 0;
 };

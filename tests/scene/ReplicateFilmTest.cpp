@@ -23,7 +23,7 @@ TEST(ReplicateFilm, MeanAndStandardErrorAreThoseOfTheReplicates) {
     film.add(r, std::vector<float>{value - 1, 2 * value, 3, 1}, 3);
   }
   EXPECT_EQ(film.points(), 4 * kReplicates);
-  EXPECT_EQ(film.mean().values, (std::vector<float>{3.5f, 7, 3}));
+  EXPECT_EQ(film.mean().values, (std::vector<float>{3.5f, 7, 3, 1}));
   // Variance of 0, 1, ... 7 with 7 degrees of freedom is 6.
   const auto error = film.standardError().values;
   EXPECT_FLOAT_EQ(error[0], static_cast<float>(std::sqrt(6.0 / 8)));
@@ -47,9 +47,9 @@ TEST(ReplicateFilm, TheStandardErrorIsThatOfKnownNoise) {
   const double expected = 2 / std::sqrt(double(frames * kReplicates));
   double claimed = 0, made = 0;
   const auto mean = film.mean().values, error = film.standardError().values;
-  for (std::size_t i = 0; i < mean.size(); ++i) {
+  for (std::size_t i = 0; i < error.size(); ++i) {
     claimed += double(error[i]) * double(error[i]);
-    made += std::pow(double(mean[i]) - 5, 2);
+    made += std::pow(double(mean[4 * (i / 3) + i % 3]) - 5, 2);
   }
   const double count = 3 * side * side;
   // Chi-square of 7 * 12288 and 12288 degrees of freedom: relative deviations of the roots 0.24 % and 0.64 %.
