@@ -25,6 +25,9 @@ vec4 brdfPoint4(uint i, uvec2 light, uvec2 material)
 vec3 brdfContribution(vec3 wi, vec3 wo, vec3 direction, float light)
 {
   float together = light + brdfMaterialPdf(wi, wo);
+#if defined(BRDF_SHADOWS) && BRDF_SHADOWS > 1
+  wi.z *= brdfSeen(direction);
+#endif
   return together > 0.0 ? brdfValue(wi, wo) * brdfLight(direction) * (wi.z / together) : vec3(0.0);
 }
 

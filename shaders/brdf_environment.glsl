@@ -42,15 +42,11 @@ vec3 brdfRadiance(vec3 direction, float solidAngle)
   // of 4.
   float texels = brdfTexels * (inverse * inverse) * (inverse * solidAngle);
   int level = min(((floatBitsToInt(max(texels, 2.0)) >> 23) - 127) >> 1, int(brdfRadianceMap.last));
-  return brdfFootprint(brdfRadianceMap, brdfProject(direction, inverse), level);
-}
-
-// Light reflected by a white Lambertian facing `normal`: 128 columns around the vertical, rows from pole to pole.
-vec3 brdfDiffuse(vec3 normal)
-{
-  float around = 0.5 + atan(normal.x, -normal.z) / 6.28318531;
-  float down = 64.0 * acos(clamp(normal.y, -1.0, 1.0)) / 3.14159265;
-  return textureLod(brdfDiffusePicture, vec2(around + 0.5 / 128.0, (down + 0.5) / 65.0), 0.0).rgb;
+  vec3 radiance = brdfFootprint(brdfRadianceMap, brdfProject(direction, inverse), level);
+#if defined(BRDF_SHADOWS) && BRDF_SHADOWS > 1
+  radiance *= brdfSeen(direction);
+#endif
+  return radiance;
 }
 
 vec2 brdfUnit(uvec2 word)
@@ -65,4 +61,42 @@ vec2 brdfPoint(int i, float inverse, uvec2 shift)
 {
   vec2 offset = brdfUnit(uvec2(shift.x, shift.y + uint(i) * 2654435769u));
   return vec2(min((float(i) + offset.x) * inverse, 0.99999994), offset.y);
+}
+
+// Light reflected by a white Lambertian facing `normal`, a direction of the map. A picture of it holds 128 columns around
+// the vertical, rows from pole to pole. Shadows take from it the share of the cells that are not seen, each with its mean
+// radiance at its middle.
+vec3 brdfDiffuse(vec3 normal)
+{
+  float around = 0.5 + atan(normal.x, -normal.z) / 6.28318531;
+  float down = 64.0 * acos(clamp(normal.y, -1.0, 1.0)) / 3.14159265;
+  vec3 diffuse = textureLod(brdfDiffusePicture, vec2(around + 0.5 / 128.0, (down + 0.5) / 65.0), 0.0).rgb;
+#if defined(BRDF_SHADOWS) && BRDF_SHADOWS > 1
+  float level = clamp(log2(brdfRadianceMap.size / float(brdfShadowCells)), 0.0, brdfRadianceMap.last);
+  vec3 seen = vec3(0.0), all = vec3(0.0);
+  for (int row = 0; row < brdfShadowCells; ++row)
+  {
+    for (int column = 0; column < brdfShadowCells; ++column)
+    {
+      vec2 place = (vec2(column, row) + 0.5) / float(brdfShadowCells);
+      vec2 p = 2.0 * place - 1.0;
+      vec3 d = vec3(p.x, 1.0 - abs(p.x) - abs(p.y), p.y);
+      if (d.y < 0.0)
+      {
+        d.xz = vec2(p.x < 0.0 ? abs(p.y) - 1.0 : 1.0 - abs(p.y), p.y < 0.0 ? abs(p.x) - 1.0 : 1.0 - abs(p.x));
+      }
+      // |x| + |y| + |z| = 1: the cosine over the length d, and the cell's solid angle as 1 / d^3.
+      float squared = dot(d, d);
+      float weight = max(dot(d, normal), 0.0) / (squared * squared);
+      if (weight > 0.0)
+      {
+        vec3 light = weight * brdfLookUp(brdfRadiancePicture, brdfRadianceMap, place, level);
+        all += light;
+        seen += light * brdfCellSeen(ivec2(column, row));
+      }
+    }
+  }
+  diffuse *= seen / max(all, vec3(1e-30));
+#endif
+  return diffuse;
 }

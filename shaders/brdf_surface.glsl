@@ -44,6 +44,9 @@ vec3 brdfReflected(vec3 position, vec3 viewer, vec3 normal, vec3 tangent)
     vec3 toLight = brdfLightPosition[i].xyz - brdfLightPosition[i].w * position;
     float squared = dot(toLight, toLight);
     vec3 wi = toLight * inversesqrt(squared) * frame;
+#ifdef BRDF_SHADOWS
+    wi.z = brdfLit(i) ? wi.z : 0.0;
+#endif
     if (wi.z > 0.0)
     {
       float falloff = brdfLightPosition[i].w > 0.0 ? 1.0 / squared : 1.0;

@@ -3,6 +3,7 @@
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFShaderText.h"
+#include "vtkBRDFShadows.h"
 
 #include "vtkCamera.h"
 #include "vtkInformation.h"
@@ -122,16 +123,33 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
                                         this->Mode == MODE_CONVERGING);
       this->Environment->ActivateTextures();
     }
+    if (this->Shadows)
+    {
+      this->Shadows->Activate();
+    }
     this->Superclass::RenderPiece(renderer, actor);
     if (this->Environment)
     {
       this->Environment->DeactivateTextures();
+    }
+    if (this->Shadows)
+    {
+      this->Shadows->Deactivate();
     }
   }
   catch (const std::exception& error)
   {
     this->ErrorText = error.what();
     vtkErrorMacro(<< this->ErrorText);
+  }
+}
+
+void vtkBRDFPolyDataMapper::SetShadows(vtkBRDFShadows* shadows)
+{
+  if (shadows != this->Shadows)
+  {
+    this->Shadows = shadows;
+    this->Modified();
   }
 }
 
@@ -181,6 +199,7 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::Light::Dec",
                                std::string(tangents ? "in vec3 brdfTangentVC;\n" : "") +
+                                 (this->Shadows ? this->Shadows->Text(this->Environment != nullptr) : "") +
                                  this->Material->Shader->Text(environment),
                                false);
   vtkShaderProgram::Substitute(
@@ -229,6 +248,10 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
   if (this->Environment)
   {
     this->SetEnvironmentUniforms(program, worldToView);
+  }
+  if (this->Shadows)
+  {
+    this->Shadows->SetUniforms(program);
   }
   this->SetLights(program, renderer, worldToView);
   if (program->IsUniformUsed("brdfModelToView"))

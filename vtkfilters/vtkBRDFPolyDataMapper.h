@@ -9,6 +9,7 @@
 class vtkAlgorithmOutput;
 class vtkBRDF;
 class vtkBRDFEnvironment;
+class vtkBRDFShadows;
 class vtkMatrix4x4;
 class vtkShaderProgram;
 
@@ -142,11 +143,19 @@ public:
   vtkBooleanMacro(EncodeForDisplay, bool);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /** Shadows, cast for the frame about to be drawn; null (the default) for none. Not owned. */
+  void SetShadows(vtkBRDFShadows* shadows);
+#endif
+
   /** How often a shader has been built since the mapper was made. */
   vtkGetMacro(NumberOfShaderBuilds, int);
 
   /** Why nothing was drawn the last time, in one line; empty when all went well. */
-  std::string GetErrorText() const { return this->ErrorText; }
+  std::string GetErrorText() const
+  {
+    return this->ErrorText;
+  }
 
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -177,6 +186,7 @@ private:
 
   std::unique_ptr<Internals> Material;
   vtkBRDFEnvironment* Environment = nullptr;
+  vtkBRDFShadows* Shadows = nullptr;
   std::string ErrorText;
   int NumberOfSamples = 64;
   double LevelBias = 0;

@@ -114,7 +114,7 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
     gl->vtkglEnable(GL_BLEND);
     return;
   }
-  this->DrawFrame(state, 0, this->Pixels);
+  this->DrawFrame(state, 0, nullptr, this->Pixels);
   if (this->EdgeSamples > 1)
   {
     const std::vector<float> mask = this->FindEdges(renderer);
@@ -136,13 +136,16 @@ void vtkBRDFRadiancePass::DrawFrames(const vtkRenderState* state)
   {
     camera->SetWindowCenter(center[0] + 2 * this->Offset[0] / this->Size[0],
                             center[1] + 2 * this->Offset[1] / this->Size[1]);
-    this->DrawFrame(state, frame++, this->Pixels);
+    this->DrawFrame(state, frame++, nullptr, this->Pixels);
     camera->SetWindowCenter(center[0], center[1]);
   } while (this->AfterFrame());
 }
 
 // Draws the scene; where the renderer preserves its depth buffer, only into what is open in it.
-void vtkBRDFRadiancePass::DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels)
+void vtkBRDFRadiancePass::DrawFrame(const vtkRenderState* state,
+                                    int frame,
+                                    const std::vector<float>* wanted,
+                                    std::vector<float>& pixels)
 {
   const int width = this->Size[0], height = this->Size[1];
   vtkRenderer* renderer = state->GetRenderer();
@@ -150,7 +153,7 @@ void vtkBRDFRadiancePass::DrawFrame(const vtkRenderState* state, int frame, std:
   vtkOpenGLState* gl = window->GetState();
   if (this->BeforeFrame)
   {
-    this->BeforeFrame(frame);
+    this->BeforeFrame(frame, wanted);
   }
   this->Buffer->Bind();
   this->Buffer->StartNonOrtho(width, height);
@@ -247,7 +250,7 @@ void vtkBRDFRadiancePass::DrawEdges(const vtkRenderState* state, const std::vect
     const double y = std::fmod(0.5 + 0.5698402909980532 * sample, 1) - 0.5;
     camera->SetWindowCenter(center[0] + 2 * x / this->Size[0], center[1] + 2 * y / this->Size[1]);
     this->DrawMask(texture, window);
-    this->DrawFrame(state, sample, pixels);
+    this->DrawFrame(state, sample, &mask, pixels);
     for (std::size_t i = 0; i < mask.size(); ++i)
     {
       for (std::size_t channel = 0; channel < 4 && mask[i] > 0; ++channel)

@@ -33,7 +33,9 @@ public:
   double BackgroundLevel = 0;               // level of the map of the background
   double BackgroundGain = 1;
   bool UnfilteredBackground = false;    // the map itself behind the scene, not the filtered one
-  std::function<void(int)> BeforeFrame; // called with 0, 1, ... before each drawing of the scene
+  // Called before each drawing of the scene with 0, 1, ..., and the pixels that will be drawn: those that are not 0, or
+  // all where it is null. May throw brdf::Error.
+  std::function<void(int frame, const std::vector<float>* wanted)> BeforeFrame;
 
   // Where set, the scene is drawn again and again, all pixels at Offset (in pixels from their centres), until this
   // returns false. It finds the frame in Pixels and may change Offset. EdgeSamples is not used then.
@@ -56,7 +58,7 @@ private:
   void operator=(const vtkBRDFRadiancePass&) = delete;
 
   void Draw(const vtkRenderState* state); // throws brdf::Error
-  void DrawFrame(const vtkRenderState* state, int frame, std::vector<float>& pixels);
+  void DrawFrame(const vtkRenderState* state, int frame, const std::vector<float>* wanted, std::vector<float>& pixels);
   void DrawFrames(const vtkRenderState* state);
   void DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderWindow* window);
   void DrawMask(vtkTextureObject* mask, vtkOpenGLRenderWindow* window);

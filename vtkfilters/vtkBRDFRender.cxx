@@ -7,6 +7,7 @@
 #include "vtkBRDFImageConversion.h"
 #include "vtkBRDFPolyDataMapper.h"
 #include "vtkBRDFRadiancePass.h"
+#include "vtkBRDFShadows.h"
 #include "vtkBRDFSurface.h"
 
 #include "vtkActor.h"
@@ -26,6 +27,8 @@
 #include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/render/Scene.h>
@@ -33,6 +36,40 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace
+{
+// A thing in the world, for rays. A sphere stays round where its matrix keeps angles, as ours do.
+brdf::SceneObject PlacedObject(vtkPolyData* surface, vtkMatrix4x4* matrix)
+{
+  brdf::SceneObject object;
+  if (!surface)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+      {
+        object.placement.axes[axis][k] = matrix->GetElement(static_cast<int>(k), static_cast<int>(axis));
+      }
+      object.placement.shift[k] = matrix->GetElement(static_cast<int>(k), 3);
+    }
+    object.placement.scale = std::sqrt(brdf::dot(object.placement.axes[0], object.placement.axes[0]));
+    for (brdf::Direction& axis : object.placement.axes)
+    {
+      axis = brdf::normalized(axis);
+    }
+    return object;
+  }
+  vtkNew<vtkTransform> transform;
+  transform->SetMatrix(matrix);
+  vtkNew<vtkTransformPolyDataFilter> filter;
+  filter->SetInputData(surface);
+  filter->SetTransform(transform);
+  filter->Update();
+  object.mesh = std::make_shared<const brdf::TriangleMesh>(vtkBRDFSurface::ToMesh(filter->GetOutput()));
+  return object;
+}
+}
 
 class vtkBRDFRender::Scene
 {
@@ -43,8 +80,9 @@ public:
     this->Renderer->AutomaticLightCreationOff();
     this->Renderer->SetPass(this->Pass);
     this->Add(this->Input);
-    this->Pass->BeforeFrame = [this](int frame)
+    this->Pass->BeforeFrame = [this](int frame, const std::vector<float>* wanted)
     {
+      this->CastShadows(frame, wanted);
       for (Object* object : this->Objects())
       {
         object->Mapper->SetSeed(frame);
@@ -68,6 +106,14 @@ public:
     this->Renderer->AddActor(object.Actor);
   }
 
+  void CastShadows(int frame, const std::vector<float>* wanted)
+  {
+    if (this->CastsShadows)
+    {
+      this->Shadows.Cast(this->Renderer, this->Pass->Size, frame, wanted);
+    }
+  }
+
   // The input's, where it has a material, and the others.
   std::vector<Object*> Objects()
   {
@@ -87,6 +133,8 @@ public:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkBRDFRadiancePass> Pass;
   vtkNew<vtkCamera> Camera;
+  bool CastsShadows = false;
+  vtkBRDFShadows Shadows;
   Object Input;
   std::vector<std::unique_ptr<Object>> Others;
   vtkSmartPointer<vtkPolyData> Sphere = vtkBRDFSurface::UnitSphere();
@@ -262,6 +310,45 @@ void vtkBRDFRender::PrepareBackground()
   }
 }
 
+// What the shadow rays meet: the same surfaces in the same places.
+void vtkBRDFRender::PrepareShadows()
+{
+  Scene& scene = this->GetScene();
+  const std::vector<Scene::Object*> objects = scene.Objects();
+  const bool alone = objects.size() == 1 && !objects[0]->Surface;
+  scene.CastsShadows = this->Shadows != SHADOWS_NONE && !alone;
+  for (Scene::Object* object : objects)
+  {
+    object->Mapper->SetShadows(scene.CastsShadows ? &scene.Shadows : nullptr);
+  }
+  if (!scene.CastsShadows)
+  {
+    return;
+  }
+  brdf::Scene world;
+  for (Scene::Object* object : objects)
+  {
+    world.objects.push_back(PlacedObject(object->Surface, object->Actor->GetMatrix()));
+  }
+  vtkCollectionSimpleIterator iterator;
+  scene.Renderer->GetLights()->InitTraversal(iterator);
+  while (vtkLight* light = scene.Renderer->GetLights()->GetNextLight(iterator))
+  {
+    const auto kind = light->GetPositional() ? brdf::SceneLight::Kind::Point : brdf::SceneLight::Kind::Directional;
+    world.lights.push_back({ kind, { 0, 0, 0 }, { 1, 1, 1 } });
+    light->GetPosition(world.lights.back().position.data());
+  }
+  if (this->Environment)
+  {
+    // Not owned: it is used at once.
+    world.environment = brdf::SceneEnvironment{ std::shared_ptr<const brdf::EnvironmentMap>(
+                                                  std::shared_ptr<void>(), &this->Environment->GetMap()),
+                                                this->Environment->GetRotation(),
+                                                1 };
+  }
+  scene.Shadows.SetScene(world, this->Shadows == SHADOWS_ALL ? this->ShadowCells : 0);
+}
+
 // The picture from what the pass has drawn, over a background that is not the environment.
 void vtkBRDFRender::Compose(vtkImageData* output)
 {
@@ -312,6 +399,7 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   this->PrepareCamera();
   this->PrepareBackground();
   scene.Pass->UnfilteredBackground = this->Mode == MODE_CONVERGING && this->BackgroundBlur <= 0;
+  this->PrepareShadows();
   scene.Pass->EdgeSamples = this->EdgeSamples;
   std::copy_n(this->Size, 2, scene.Pass->Size);
   scene.Window->SetSize(this->Size);
@@ -360,8 +448,9 @@ void vtkBRDFRender::Converge()
   this->RelativeError = convergence.RelativeError();
   this->Converged = false;
   const auto beforeFrame = pass->BeforeFrame;
-  pass->BeforeFrame = [&](int)
+  pass->BeforeFrame = [&](int number, const std::vector<float>* wanted)
   {
+    scene.CastShadows(number, wanted);
     const vtkBRDFConvergence::Frame& frame = convergence.Next();
     for (Scene::Object* object : scene.Objects())
     {

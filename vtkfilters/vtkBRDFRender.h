@@ -180,6 +180,29 @@ public:
   void RemoveAllLights();
   ///@}
 
+  enum ShadowType
+  {
+    SHADOWS_NONE = 0,   // nothing is in the way of light
+    SHADOWS_LIGHTS = 1, // objects are in the way of lights besides the environment
+    SHADOWS_ALL = 2     // and of the environment (default)
+  };
+
+  ///@{
+  /** Shadows, by rays cast on the CPU through every pixel: exact for lights besides the environment. Of the environment
+   * each pixel sees ShadowCells x ShadowCells cells of the directions, of which each is seen or not as one direction in
+   * it is: right on average, grainy, and blurred for reflections sharper than a cell. A lone sphere casts none on
+   * itself and costs nothing. */
+  vtkSetClampMacro(Shadows, int, SHADOWS_NONE, SHADOWS_ALL);
+  vtkGetMacro(Shadows, int);
+  ///@}
+
+  ///@{
+  /** Rays to the environment are ShadowCells^2 / 2 a pixel; 8, 16 (the default, cells of about 12 degrees), 32 or 64.
+   */
+  vtkSetClampMacro(ShadowCells, int, 8, 64);
+  vtkGetMacro(ShadowCells, int);
+  ///@}
+
   enum BackgroundType
   {
     BACKGROUND_ENVIRONMENT = 0, // the environment, where there is one (default)
@@ -257,6 +280,7 @@ private:
   void PrepareObjects(vtkInformationVector** inputs);
   void PrepareCamera();
   void PrepareBackground();
+  void PrepareShadows();
   void Compose(vtkImageData* output);
   void Converge();
 
@@ -283,6 +307,8 @@ private:
   std::string Illuminant;
   std::string Observer = "2";
   std::string Adaptation = "bradford";
+  int Shadows = SHADOWS_ALL;
+  int ShadowCells = 16;
   int Background = BACKGROUND_ENVIRONMENT;
   double BackgroundBlur = 0;
   double BackgroundColor[3] = { 0, 0, 0 };

@@ -214,10 +214,10 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment envi
   if (filtered || unfiltered)
   {
     add("brdf_points.glsl", "#define BRDF_ENVIRONMENT\n");
+    add("brdf_map.glsl");
   }
   if (filtered)
   {
-    add("brdf_map.glsl");
     add("brdf_environment.glsl");
   }
   if (unfiltered)

@@ -56,7 +56,8 @@ struct ErrorResult {
 /// How a scene becomes pictures.
 struct RenderPicture {
   ColourNames colours;
-  std::size_t samples = 64;  ///< of the environment, a pixel
+  std::size_t samples = 64;     ///< of the environment, a pixel
+  std::string shadows = "all";  ///< or "lights", "none"
   double exposure = 0;       ///< stops
   std::string toneCurve = "clamp";
   std::vector<std::string> out;  ///< .png: tone-mapped sRGB; .exr: linear radiance

@@ -114,6 +114,81 @@ TEST_F(SceneRenderTest, SeveralObjectsAndMaterialsEqualTheReferenceWhereNothingS
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 3);
 }
 
+/// A ball on a floor with another behind it, so that each light throws shadows.
+brdf::Scene shadowedScene() {
+  brdf::Scene scene;
+  scene.materials = {brdf::parseMaterialExpression("(0.6,0.5,0.4)*Lambertian"),
+                     brdf::parseMaterialExpression("(0.1,0.1,0.3)*Lambertian + GGX(alpha=0.3)")};
+  scene.objects = {sphereAt({0, 1, 0}, 1, 1), sphereAt({-1.5, 0.5, 1}, 0.5, 0)};
+  brdf::addGround(scene, scene.materials[0]);
+  scene.camera = brdf::cameraAround({0, 0.7, 0}, 2, 20, 25, 35, 1.5);
+  scene.width = 90;
+  scene.height = 60;
+  return scene;
+}
+
+TEST_F(SceneRenderTest, ShadowsOfLightsAreTheReferencesPixelByPixel) {
+  brdf::Scene scene = shadowedScene();
+  scene.lights = {{brdf::SceneLight::Kind::Directional, {0.7, 0.6, 0.3}, {3, 2, 1}},
+                  {brdf::SceneLight::Kind::Point, {-3, 2.5, 2}, {8, 9, 10}}};
+  const brdf::Image truth = reference(scene);
+  const Interior interior(scene);
+  render_->SetScene(scene);
+  render_->SetShadows(vtkBRDFRender::SHADOWS_NONE);
+  render_->Update();
+  const Difference without = difference(truth, interior);
+  EXPECT_GT(without.rms, 0.1) << "nothing is shadowed: the test says nothing";
+  for (const int shadows : {vtkBRDFRender::SHADOWS_LIGHTS, vtkBRDFRender::SHADOWS_ALL}) {
+    render_->SetShadows(shadows);
+    render_->Update();
+    ASSERT_EQ(render_->GetErrorText(), "");
+    const Difference off = difference(truth, interior);
+    EXPECT_LT(off.rms, 5e-3);
+    EXPECT_LT(off.largest, 5e-2) << "a pixel is shadowed that should not be, or the reverse";
+  }
+}
+
+TEST_F(SceneRenderTest, ShadowsOfTheEnvironmentComeNearTheReferences) {
+  brdf::Scene scene = shadowedScene();
+  scene.environment = brdf::SceneEnvironment{
+      std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::read(rendertest::shippedMap("venice"))), 70,
+      1};
+  scene.background.kind = brdf::SceneBackground::Kind::Colour;
+  scene.width = 60;
+  scene.height = 40;
+  const brdf::Image truth = reference(scene, 1024);
+  const Interior interior(scene);
+  render_->SetNumberOfSamples(256);
+  const auto off = [&](int shadows, int cells) {
+    render_->SetScene(scene);
+    render_->SetShadows(shadows);
+    render_->SetShadowCells(cells);
+    render_->Update();
+    EXPECT_EQ(render_->GetErrorText(), "");
+    return difference(truth, interior).rms;
+  };
+  const double without = off(vtkBRDFRender::SHADOWS_NONE, 16), coarse = off(vtkBRDFRender::SHADOWS_ALL, 8),
+               usual = off(vtkBRDFRender::SHADOWS_ALL, 16), fine = off(vtkBRDFRender::SHADOWS_ALL, 32);
+  EXPECT_GT(without, 0.1);
+  EXPECT_LT(coarse, 0.5 * without);
+  EXPECT_LT(usual, 0.03);
+  EXPECT_LT(fine, usual);
+  RecordProperty("none", std::to_string(without));
+  RecordProperty("8", std::to_string(coarse));
+  RecordProperty("16", std::to_string(usual));
+  RecordProperty("32", std::to_string(fine));
+}
+
+TEST_F(SceneRenderTest, ALoneSphereIsTheSameWithShadows) {
+  render_->SetEnvironment(environment_);
+  draw("0.5*Lambertian + 0.3*GGX");
+  const auto with = pixel(20, 30);
+  render_->SetShadows(vtkBRDFRender::SHADOWS_NONE);
+  render_->Update();
+  EXPECT_EQ(pixel(20, 30), with);
+  EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
+}
+
 TEST_F(SceneRenderTest, ObjectsAreReplacedNotAdded) {
   brdf::Scene scene = openScene();
   render_->SetScene(scene);

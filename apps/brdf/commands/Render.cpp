@@ -105,6 +105,7 @@ void runDevice(const Output& output, const Values& values, const Scene& scene) {
               " s on " + frame.device);
   nlohmann::json report = subjectJson(values, scene);
   report.update({{"samples", values.picture.samples},
+                 {"shadows", values.picture.shadows},
                  {"mean_radiance", meanOf(frame.radiance)},
                  {"seconds", seconds},
                  {"device", frame.device}});
@@ -209,6 +210,8 @@ Command renderCommand() {
             declareScene(arguments, values->subject);
             arguments.option("--samples", values->samples, {1, 1 << 24},
                              "A pixel: under an environment [64]; with --reference, paths at most [256]");
+            arguments.choice("--shadows", picture.shadows, {"none", "lights", "all"},
+                             "On the graphics device: of no light, of lights besides the environment, or of all");
             arguments.flag("--reference", values->reference,
                            "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
             arguments.option("--tolerance", reference.tolerance, {0, 1}, "NUMBER",

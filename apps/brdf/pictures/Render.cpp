@@ -59,6 +59,9 @@ FrameDrawer frameDrawer() {
   return [render](const Scene& scene, const RenderPicture& request) {
     render->SetScene(scene);
     render->SetNumberOfSamples(static_cast<int>(request.samples));
+    render->SetShadows(request.shadows == "none"     ? vtkBRDFRender::SHADOWS_NONE
+                       : request.shadows == "lights" ? vtkBRDFRender::SHADOWS_LIGHTS
+                                                     : vtkBRDFRender::SHADOWS_ALL);
     setColours(render.Get(), request.colours);
     updateOrThrow(render);
     return RenderedFrame{toImage(render->GetOutput()), render->GetDeviceDescription()};
