@@ -7,6 +7,9 @@ source scripts/setup.sh
 setup_packages
 setup_build
 
+# Lobes and plugins of the user are no part of what is tested.
+export XDG_DATA_HOME=$PWD/build/release/tests/none BRDFLAB_MODEL_PATH= BRDFLAB_PLUGIN_PATH=
+
 report=$PWD/build/release/test-report.xml
 rm -f "$report"
 status=0

@@ -25,3 +25,5 @@ foreach (_component IN LISTS _brdflab_wanted)
 endforeach ()
 unset(_brdflab_vtk)
 unset(_brdflab_wanted)
+
+include("${CMAKE_CURRENT_LIST_DIR}/BRDFAddPlugin.cmake")

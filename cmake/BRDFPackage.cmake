@@ -2,7 +2,8 @@
 include(CMakePackageConfigHelpers)
 set(destination "${CMAKE_INSTALL_LIBDIR}/cmake/BRDFLab")
 write_basic_package_version_file("${CMAKE_BINARY_DIR}/BRDFLabConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
-install(FILES "${CMAKE_CURRENT_LIST_DIR}/BRDFLabConfig.cmake" "${CMAKE_BINARY_DIR}/BRDFLabConfigVersion.cmake"
+install(FILES "${CMAKE_CURRENT_LIST_DIR}/BRDFAddPlugin.cmake" "${CMAKE_CURRENT_LIST_DIR}/BRDFLabConfig.cmake"
+  "${CMAKE_BINARY_DIR}/BRDFLabConfigVersion.cmake"
   DESTINATION "${destination}")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" "${PROJECT_SOURCE_DIR}/README.md" TYPE DOC)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/examples" TYPE DOC)

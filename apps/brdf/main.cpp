@@ -3,7 +3,9 @@
 #include "Progress.h"
 #include "commands/Commands.h"
 
+#include <brdf/Version.h>
 #include <brdf/base/Error.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/models/Registry.h>
 
@@ -36,13 +38,11 @@ std::string overview() {
 /// Models of the user's own: those of the folders searched unasked, where a bad file costs a warning and no more, then
 /// those of --model-path, where it is an error.
 void loadUserModels(const std::vector<std::string>& folders) {
-  for (const auto& folder : brdf::userModelFolders()) {
-    try {
-      brdf::loadModelFolder(folder);
-    } catch (const brdf::Error& error) {
-      std::fprintf(stderr, "brdf: warning: models left out: %s\n", error.what());
-    }
-  }
+  for (const brdf::Plugin& plugin : brdf::plugins())
+    if (!plugin.error.empty())
+      std::fprintf(stderr, "brdf: warning: plugin left out: %s: %s\n", plugin.file.c_str(), plugin.error.c_str());
+  for (const std::string& failure : brdf::userModelFailures())
+    std::fprintf(stderr, "brdf: warning: models left out: %s\n", failure.c_str());
   for (const std::string& folder : folders) brdf::loadModelFolder(folder);
 }
 

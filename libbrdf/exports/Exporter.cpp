@@ -1,4 +1,6 @@
+#include <brdf/Version.h>
 #include <brdf/base/Error.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/exports/Approximation.h>
 #include <brdf/exports/BuiltInExporters.h>
@@ -11,6 +13,7 @@ namespace brdf {
 namespace {
 
 std::vector<Exporter>& registry() {
+  plugins();
   static std::vector<Exporter> exporters{glslExporter(),    gltfExporter(),           materialXExporter(),
                                          mitsubaExporter(), openPbrExporter(),        oslExporter(),
                                          pbrtExporter(),    standardSurfaceExporter()};

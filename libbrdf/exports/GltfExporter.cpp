@@ -1,3 +1,4 @@
+#include <brdf/Version.h>
 #include <brdf/base/Text.h>
 #include <brdf/exports/Approximation.h>
 #include <brdf/exports/BuiltInExporters.h>

@@ -1,4 +1,5 @@
 #include <brdf/base/Error.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/FormulaMetric.h>
@@ -176,15 +177,29 @@ void Metric::restore(const double* target, const DirectionPairs<double>& pairs, 
 }
 MetricPointer Metric::scaledTo(double) const { return nullptr; }
 
-const std::vector<MetricPointer>& allMetrics() {
-  static const std::vector<MetricPointer> metrics = {std::make_shared<RmsMetric>(),
-                                                     std::make_shared<CosineMetric>(false),
-                                                     std::make_shared<LogMetric>(),
-                                                     std::make_shared<CubeRootMetric>(),
-                                                     std::make_shared<CosineMetric>(true),
-                                                     std::make_shared<RelativeMetric>("relative", kRelativeFloor),
-                                                     std::make_shared<HuberMetric>("huber", 0)};
+static std::vector<MetricPointer>& metricRegistry() {
+  static std::vector<MetricPointer> metrics = {std::make_shared<RmsMetric>(),
+                                               std::make_shared<CosineMetric>(false),
+                                               std::make_shared<LogMetric>(),
+                                               std::make_shared<CubeRootMetric>(),
+                                               std::make_shared<CosineMetric>(true),
+                                               std::make_shared<RelativeMetric>("relative", kRelativeFloor),
+                                               std::make_shared<HuberMetric>("huber", 0)};
   return metrics;
+}
+
+const std::vector<MetricPointer>& allMetrics() {
+  plugins();
+  return metricRegistry();
+}
+
+void registerMetric(MetricPointer metric) {
+  auto& metrics = metricRegistry();
+  const auto same = std::ranges::find_if(metrics, [&](const MetricPointer& m) { return m->name() == metric->name(); });
+  if (same != metrics.end())
+    *same = std::move(metric);
+  else
+    metrics.push_back(std::move(metric));
 }
 
 std::vector<std::string> metricNames() {

@@ -56,6 +56,8 @@ class BRDF_EXPORT Metric {
 
 /// All metrics that need no argument, the plain one first.
 BRDF_EXPORT const std::vector<MetricPointer>& allMetrics();
+/// Adds a metric; replaces one of the same name. Not while others ask for metrics.
+BRDF_EXPORT void registerMetric(MetricPointer metric);
 
 /// The metric that `text` describes: a name of allMetrics(), or
 /// - "relative:FLOOR", "huber:DELTA": with another floor or scale than the default, 1/sr, above 0;

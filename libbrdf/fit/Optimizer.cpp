@@ -1,4 +1,5 @@
 #include <brdf/base/Error.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/NloptMethod.h>
@@ -15,7 +16,7 @@ OptimizerResult minimizeBy(CostFunction& cost, std::vector<double> start, const 
 
 using enum NloptMethod::Kind;
 
-constexpr Optimizer kOptimizers[] = {
+constexpr Optimizer kBuiltIn[] = {
     {"lm", "Levenberg-Marquardt in a box, streaming normal equations (ours)", true, false, levenbergMarquardt},
     {"cobyla", "COBYLA, Powell 1994 (NLopt)", false, false, minimizeBy<{NLOPT_LN_COBYLA, ByValues}>},
     {"bobyqa", "BOBYQA, Powell 2009 (NLopt)", false, false, minimizeBy<{NLOPT_LN_BOBYQA, ByValues}>},
@@ -42,23 +43,40 @@ constexpr Optimizer kOptimizers[] = {
      minimizeBy<{NLOPT_GN_ESCH, Global}>},
 };
 
+std::vector<Optimizer>& registry() {
+  static std::vector<Optimizer> optimizers(std::begin(kBuiltIn), std::end(kBuiltIn));
+  return optimizers;
+}
+
 }  // namespace
 
 CostFunction::~CostFunction() = default;
 
 SearchBox CostFunction::searchBox(std::span<const double>) const { return {lower(), upper()}; }
 
-std::span<const Optimizer> allOptimizers() { return kOptimizers; }
+std::span<const Optimizer> allOptimizers() {
+  plugins();
+  return registry();
+}
+
+void registerOptimizer(const Optimizer& optimizer) {
+  const auto same = std::ranges::find(registry(), optimizer.name, &Optimizer::name);
+  if (same != registry().end())
+    *same = optimizer;
+  else
+    registry().push_back(optimizer);
+}
 
 std::vector<std::string> optimizerNames() {
   std::vector<std::string> names;
-  for (const Optimizer& optimizer : kOptimizers) names.emplace_back(optimizer.name);
+  for (const Optimizer& optimizer : allOptimizers()) names.emplace_back(optimizer.name);
   return names;
 }
 
 const Optimizer& findOptimizer(std::string_view name) {
-  const auto found = std::ranges::find(kOptimizers, name, &Optimizer::name);
-  if (found == std::end(kOptimizers))
+  const auto optimizers = allOptimizers();
+  const auto found = std::ranges::find(optimizers, name, &Optimizer::name);
+  if (found == optimizers.end())
     throw Error(Error::Kind::Value, {"unknown optimizer", "optimizer", std::string(name), joined(optimizerNames())});
   return *found;
 }

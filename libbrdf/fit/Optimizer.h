@@ -67,6 +67,8 @@ struct Optimizer {
 
 /// All optimizers, Levenberg-Marquardt first.
 BRDF_EXPORT std::span<const Optimizer> allOptimizers();
+/// Adds an optimizer; replaces one of the same name. Its texts must live on. Not while others ask for optimizers.
+BRDF_EXPORT void registerOptimizer(const Optimizer& optimizer);
 /// The optimizer called `name`; throws Error::Kind::Value with the allowed names.
 BRDF_EXPORT const Optimizer& findOptimizer(std::string_view name);
 

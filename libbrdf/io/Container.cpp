@@ -1,3 +1,4 @@
+#include <brdf/Version.h>
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>

@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/io/Container.h>
 #include <brdf/io/LoadMaterial.h>
@@ -78,7 +79,42 @@ LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view whic
   return {std::move(result.brdf), "measured", std::move(result.report), std::move(result.components)};
 }
 
+std::vector<MaterialKind>& kinds() {
+  static std::vector<MaterialKind> all;
+  return all;
+}
+
+/// The kind that "name:arguments" names, or null.
+const MaterialKind* kindOf(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) return nullptr;
+  for (const MaterialKind& kind : materialKinds())
+    if (kind.name == text.substr(0, colon)) return &kind;
+  return nullptr;
+}
+
 }  // namespace
+
+const std::vector<MaterialKind>& materialKinds() {
+  plugins();
+  return kinds();
+}
+
+void registerMaterialKind(MaterialKind kind) {
+  const bool good = kind.name.size() >= 2 && kind.name != "preset" && std::ranges::all_of(kind.name, [](char c) {
+                      return isAsciiLetter(c) || isDigit(c) || c == '_' || c == '-';
+                    });
+  if (!good)
+    throw Error(Error::Kind::Value, {"unusable name of a kind of materials",
+                                     {},
+                                     "'" + kind.name + "'",
+                                     "letters, digits, '_' and '-', at least two, and not preset"});
+  const auto same = std::ranges::find(kinds(), kind.name, &MaterialKind::name);
+  if (same != kinds().end())
+    *same = std::move(kind);
+  else
+    kinds().push_back(std::move(kind));
+}
 
 LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options) {
   const std::string_view text = trimmed(spec);
@@ -92,6 +128,12 @@ LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options) {
     return loaded;
   }
   if (isFile(text)) return loadFile(std::filesystem::path(text), {}, options);
+  if (const MaterialKind* kind = kindOf(text)) {
+    LoadedMaterial loaded{kind->make(text.substr(kind->name.size() + 1)), kind->name, {}};
+    loaded.report.format = kind->name;
+    loaded.report.source = text;
+    return loaded;
+  }
   const std::size_t hash = text.rfind('#');
   if (hash != std::string_view::npos && hash + 1 < text.size()) {
     const std::string_view path = text.substr(0, hash);

@@ -3,6 +3,7 @@
 #include <brdf/material/Brdf.h>
 #include <brdf/measured/Format.h>
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,7 +11,7 @@ namespace brdf {
 
 struct LoadedMaterial {
   BrdfPointer brdf;
-  std::string kind;         ///< "expression", "preset", "material" (XML), "measured" or "container"
+  std::string kind;         ///< "expression", "preset", "material" (XML), "measured", "container", or a registered one
   ReadReport report;        ///< of a file: what its reader noticed; else format and source only
   Components components{};  ///< of measured files and containers: what the material has besides `brdf`
 };
@@ -19,6 +20,7 @@ struct LoadedMaterial {
 /// - a file in any supported format, recognised by content; of a `.vtkhdf` file with several entries the first;
 /// - `file#3` or `file#name`: one of several, by its number from 0 or its name;
 /// - `preset:NAME`: a shipped published fit;
+/// - `NAME:ARGUMENTS` of a kind registered from outside (registerMaterialKind);
 /// - else a material expression (material/LobeSum.h).
 /// An existing file wins over an expression. What looks like a path (has a '/', or ends with an extension) but is no
 /// file is Error::Kind::File "no such file". Throws the reader's or the expression's errors otherwise.
@@ -26,5 +28,15 @@ struct LoadedMaterial {
 /// `options` are what the user says of measured files; expressions and presets have no use for them, and the entries of
 /// a container keep what was assumed when they were made (a warning says so).
 BRDF_EXPORT LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options = {});
+
+/// A kind of material of someone's own, written `name:arguments`: a BRDF class in C++, a simulation, a data base.
+struct MaterialKind {
+  std::string name;   ///< letters, digits, '_' and '-', at least two; not "preset"
+  std::string title;  ///< one line, with the form of the arguments
+  std::function<BrdfPointer(std::string_view arguments)> make;  ///< throws brdf::Error
+};
+/// Adds a kind; replaces one of the same name. Throws Error::Kind::Value for a name that is none.
+BRDF_EXPORT void registerMaterialKind(MaterialKind kind);
+BRDF_EXPORT const std::vector<MaterialKind>& materialKinds();
 
 }  // namespace brdf

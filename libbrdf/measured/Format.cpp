@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/measured/BuiltInFormats.h>
@@ -14,7 +15,7 @@ namespace {
 
 constexpr std::size_t kHeadBytes = 8192;
 
-std::vector<Format>& registry() {
+std::vector<Format>& ownRegistry() {
   // One a line: additions then merge.
   // clang-format off
   static std::vector<Format> formats{
@@ -45,6 +46,11 @@ std::vector<Format>& registry() {
   };
   // clang-format on
   return formats;
+}
+
+std::vector<Format>& registry() {
+  plugins();
+  return ownRegistry();
 }
 
 std::vector<std::string> names() {

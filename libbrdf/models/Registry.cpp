@@ -1,5 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
+#include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/models/FormulaModel.h>
 #include <brdf/models/LegacyModel.h>
@@ -65,6 +66,30 @@ class Registry {
   std::map<std::string, ModelPointer, std::less<>> builtIn_, added_;
 };
 
+std::vector<std::string>& failures() {
+  static std::vector<std::string> lines;
+  return lines;
+}
+
+/// Adds, once, what plugins and the user's folders bring.
+void completeRegistry() {
+  plugins();
+  thread_local bool inside = false;  // models that are being read ask for others
+  static std::once_flag once;
+  if (inside) return;
+  std::call_once(once, [] {
+    inside = true;
+    for (const auto& folder : userModelFolders()) {
+      try {
+        loadModelFolder(folder);
+      } catch (const std::exception& error) {
+        failures().push_back(error.what());
+      }
+    }
+    inside = false;
+  });
+}
+
 }  // namespace
 
 void registerModel(ModelPointer model) { Registry::instance().add(std::move(model)); }
@@ -109,9 +134,18 @@ std::vector<std::filesystem::path> userModelFolders() {
   return folders;
 }
 
-std::vector<ModelPointer> allModels() { return Registry::instance().all(); }
+const std::vector<std::string>& userModelFailures() {
+  completeRegistry();
+  return failures();
+}
+
+std::vector<ModelPointer> allModels() {
+  completeRegistry();
+  return Registry::instance().all();
+}
 
 ModelPointer findModel(std::string_view name) {
+  completeRegistry();
   if (ModelPointer model = Registry::instance().find(name)) return model;
   if (ModelPointer model = findMicrofacet(name)) return model;
   std::vector<std::string> names;

@@ -24,4 +24,8 @@ BRDF_EXPORT ModelPointer readModelFile(const std::filesystem::path& file);
 /// $XDG_DATA_HOME/brdflab/models (default ~/.local/share/brdflab/models). Those that do not exist are left out.
 BRDF_EXPORT std::vector<std::filesystem::path> userModelFolders();
 
+/// Why models of userModelFolders() were left out, one line each. The folders are read when the first model is asked
+/// for, in every program that uses the library.
+BRDF_EXPORT const std::vector<std::string>& userModelFailures();
+
 }  // namespace brdf

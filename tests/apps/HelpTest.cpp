@@ -7,7 +7,7 @@
 namespace {
 
 const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "export", "fit",     "batch",
-                                            "compare", "check", "lobe", "error",   "render", "baseline"};
+                                            "compare", "check", "lobe", "error",   "render", "baseline", "plugins"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
   return command == "lobe" || command == "error" || command == "render" || command == "baseline";

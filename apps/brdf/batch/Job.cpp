@@ -3,6 +3,7 @@
 #include "Arguments.h"
 #include "Assumptions.h"
 
+#include <brdf/Version.h>
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/base/JsonText.h>

@@ -5,7 +5,7 @@ namespace brdf::app {
 std::span<Command> allCommands() {
   static Command commands[] = {modelsCommand(), infoCommand(),   evalCommand(),    convertCommand(), exportCommand(),
                                fitCommand(),    batchCommand(),  compareCommand(), checkCommand(),   lobeCommand(),
-                               errorCommand(),  renderCommand(), baselineCommand()};
+                               errorCommand(),  renderCommand(), baselineCommand(), pluginsCommand()};
   return commands;
 }
 

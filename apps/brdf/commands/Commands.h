@@ -30,6 +30,7 @@ Command lobeCommand();
 Command errorCommand();
 Command renderCommand();
 Command baselineCommand();
+Command pluginsCommand();
 
 /// All commands in the order in which help shows them.
 std::span<Command> allCommands();
