@@ -51,6 +51,8 @@ if (BRDF_BUILD_PYTHON)
     MODULE_DESTINATION "${BRDF_PYTHON_DIR}"
     CMAKE_DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/brdfvtk
     LIBRARY_DESTINATION ${CMAKE_INSTALL_LIBDIR})
-  configure_file("${CMAKE_SOURCE_DIR}/python/__init__.py" "${BRDF_PYTHON_PATH}/brdflab/__init__.py" COPYONLY)
-  install(FILES "${CMAKE_SOURCE_DIR}/python/__init__.py" DESTINATION "${BRDF_PYTHON_DIR}/brdflab")
+  foreach (file IN ITEMS __init__.py notebook.py shorthands.py)
+    configure_file("${CMAKE_SOURCE_DIR}/python/${file}" "${BRDF_PYTHON_PATH}/brdflab/${file}" COPYONLY)
+    install(FILES "${CMAKE_SOURCE_DIR}/python/${file}" DESTINATION "${BRDF_PYTHON_DIR}/brdflab")
+  endforeach ()
 endif ()

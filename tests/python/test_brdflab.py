@@ -70,6 +70,74 @@ class Evaluation(unittest.TestCase):
         self.assertTrue(valid.all())
 
 
+class Shorthands(unittest.TestCase):
+    def test_evaluate_takes_and_gives_numpy_arrays(self):
+        paint = brdflab.material("(0.3,0.2,0.1)*Lambertian")
+        wi, wo = hemisphere(7, 4), hemisphere(7, 5)
+        values, valid = brdflab.evaluate(paint, wi, wo)
+        np.testing.assert_allclose(values, np.tile(np.array([0.3, 0.2, 0.1]) / math.pi, (7, 1)), rtol=1e-15)
+        self.assertTrue(valid.all())
+        np.testing.assert_array_equal(brdflab.evaluate(paint, wi.astype("f4").tolist(), wo)[0], values)
+        self.assertEqual(brdflab.evaluate(paint, wi[:0], wo[:0])[0].shape[0], 0)
+        with self.assertRaisesRegex(ValueError, "must be as many"):
+            brdflab.evaluate(paint, wi, wo[:3])
+        with self.assertRaisesRegex(ValueError, r"must be \(n, 3\)"):
+            brdflab.evaluate(paint, wi[:, :2], wo)
+
+    def test_a_material_that_is_none_is_an_exception_with_the_reason(self):
+        with self.assertRaisesRegex(ValueError, "Nonsense"):
+            brdflab.material("Nonsense")
+
+    def test_names_are_those_of_the_registries(self):
+        self.assertIn("GGX", brdflab.names("lobes"))
+        self.assertIn("merl", brdflab.names("formats"))
+        self.assertIn("rms", brdflab.names("metrics"))
+        self.assertEqual(brdflab.names("optimizers")[0], "lm")
+        self.assertIn("mitsuba", brdflab.names("exporters"))
+        self.assertIn("bagher-sgd-gold-metallic-paint", brdflab.names("presets"))
+        self.assertEqual(brdflab.names("failures"), [])
+        with self.assertRaises(ValueError):
+            brdflab.names("nonsense")
+
+    def test_pixels_run_from_the_top(self):
+        render = brdflab.vtkBRDFRender()
+        white = source("Lambertian")
+        render.SetInputConnection(white.GetOutputPort())
+        render.AddDirectionalLight(0, 0, math.pi, math.pi, math.pi)  # from above
+        render.SetSize(24, 16)
+        self.assertTrue(render.UpdateAndCheck(), render.GetPipelineErrorText())
+        picture = brdflab.pixels(render.GetOutput())
+        self.assertEqual(picture.shape, (16, 24, 3))
+        self.assertGreater(picture[3].max(), 0.5)
+        self.assertEqual(picture[12].max(), 0)
+
+    def test_what_notebooks_show_is_a_png(self):
+        class Formatter:
+            def __init__(self):
+                self.types = {}
+
+            def for_type(self, kind, function):
+                self.types[kind] = function
+
+        class Shell:
+            pass
+
+        shell, formatter = Shell(), Formatter()
+        shell.display_formatter = Shell()
+        shell.display_formatter.formatters = {"image/png": formatter}
+        brdflab.notebook.show_in_notebooks(shell)
+        paint = brdflab.material("0.3*Lambertian")
+        view, render = brdflab.vtkBRDFLobeView(), brdflab.vtkBRDFRender()
+        view.AddInputData(paint)
+        render.SetInputData(paint)
+        render.AddDirectionalLight(45, 0, 3, 3, 3)
+        render.SetSize(32, 32)
+        for kind, thing in ((brdflab.vtkBRDF, paint), (brdflab.vtkBRDFView, view), (brdflab.vtkBRDFRender, render)):
+            shown = formatter.types[kind](thing)
+            self.assertEqual(shown[:8], b"\x89PNG\r\n\x1a\n", kind)
+            self.assertGreater(len(shown), 300)
+
+
 class Pipeline(unittest.TestCase):
     def test_lobe_of_a_lambertian(self):
         lobe = brdflab.vtkBRDFLobe()
