@@ -145,10 +145,21 @@ vtkBRDFEnvironment::~vtkBRDFEnvironment() = default;
 
 bool vtkBRDFEnvironment::ReadFile(const std::string& path)
 {
+  return this->Read(path, false);
+}
+
+bool vtkBRDFEnvironment::ReadAngularFile(const std::string& path)
+{
+  return this->Read(path, true);
+}
+
+bool vtkBRDFEnvironment::Read(const std::string& path, bool angular)
+{
+  using Mapping = brdf::EnvironmentMap::Mapping;
   this->ErrorText.clear();
   try
   {
-    this->Data->SetMap(brdf::EnvironmentMap::read(path));
+    this->Data->SetMap(brdf::EnvironmentMap::read(path, angular ? Mapping::Angular : Mapping::Equirectangular));
   }
   catch (const std::exception& error)
   {

@@ -33,6 +33,8 @@ public:
   /** Reads an OpenEXR or Radiance file. False, with the reason in GetErrorText(), when it cannot; the map is then as it
    * was. */
   bool ReadFile(const std::string& path);
+  /** The same for a light probe in Debevec's angular map: see brdf::EnvironmentMap::Mapping. */
+  bool ReadAngularFile(const std::string& path);
   /** The same radiance from everywhere. The default is 1, 1, 1. */
   void SetConstant(double red, double green, double blue);
   /** Why the last ReadFile failed, in one line; empty when it succeeded. */
@@ -96,6 +98,8 @@ private:
   void operator=(const vtkBRDFEnvironment&) = delete;
 
   class Internals;
+  bool Read(const std::string& path, bool angular);
+
   std::unique_ptr<Internals> Data;
   std::string ErrorText;
   double Rotation = 0;

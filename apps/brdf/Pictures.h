@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -54,7 +55,15 @@ struct ErrorResult {
 };
 
 /// How a scene becomes pictures.
+/// Drawing without filtering until the noise is small enough, on the graphics device: vtkBRDFRender's converging mode.
+struct ConvergeOptions {
+  double tolerance = 0.01;     ///< as ReferenceOptions::tolerance
+  std::size_t samples = 4096;  ///< a pixel, at most
+  /// As ReferenceOptions::progress, called after every frame; the error is infinite before the first round of frames.
+  std::function<bool(std::size_t done, std::size_t most, double error)> progress;
+};
 struct RenderPicture {
+  std::optional<ConvergeOptions> converge;  ///< empty: filtered, with `samples`
   ColourNames colours;
   std::size_t samples = 64;     ///< of the environment, a pixel
   std::string shadows = "all";  ///< or "lights", "none"
@@ -65,6 +74,11 @@ struct RenderPicture {
 struct RenderedFrame {
   Image radiance;  ///< linear sRGB; over no background with alpha
   std::string device;
+  Image standardError;       ///< of each number of `radiance` without alpha; this and the rest where it converges
+  std::size_t samples = 0;   ///< drawn a pixel
+  double relativeError = 0;  ///< as the tolerance means it
+  bool converged = false;    ///< relativeError <= tolerance
+  bool stopped = false;      ///< by the progress function
 };
 /// Draws one scene after another on the graphics device, keeping shaders and maps; one thread at a time.
 using FrameDrawer = std::function<RenderedFrame(const Scene&, const RenderPicture&)>;
@@ -124,9 +138,9 @@ struct PictureFunctions {
   /// Linear radiance (three channels, or four with alpha) as the .png that `request` asks for, without its other
   /// wishes.
   void (*writePng)(const Image& radiance, const RenderPicture& request, const std::string& path);
-  /// How far the layout of one PNG is from another's: the share of the picture that differs, 0 to 1 (vtkImageDifference:
-  /// pixels that differ wholly count 1, others in proportion; small differences and shifts by a pixel do not count).
-  /// Writes the differences as a PNG where a path is given.
+  /// How far the layout of one PNG is from another's: the share of the picture that differs, 0 to 1
+  /// (vtkImageDifference: pixels that differ wholly count 1, others in proportion; small differences and shifts by a
+  /// pixel do not count). Writes the differences as a PNG where a path is given.
   double (*layoutDifference)(const std::string& found, const std::string& baseline, const std::string& differences);
   /// Throws Error::Kind::Device when there is no headless OpenGL. The runner is for one thread at a time.
   GlslRunner (*shaderProbe)();

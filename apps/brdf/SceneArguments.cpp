@@ -16,9 +16,10 @@ void addLight(Scene& scene, const std::string& text, double rotation) {
   const std::size_t colon = text.find(':');
   const std::string kind = text.substr(0, colon);
   const std::string value = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "env" && !value.empty()) {
+  if ((kind == "env" || kind == "angular") && !value.empty()) {
+    const auto mapping = kind == "env" ? EnvironmentMap::Mapping::Equirectangular : EnvironmentMap::Mapping::Angular;
     scene.environment =
-        SceneEnvironment{std::make_shared<const EnvironmentMap>(EnvironmentMap::read(value)), rotation, 1};
+        SceneEnvironment{std::make_shared<const EnvironmentMap>(EnvironmentMap::read(value, mapping)), rotation, 1};
   } else if (kind == "directional") {
     const auto at = numberListOption("--light", value, 2, "directional:45,0");
     const double theta = radians(at[0]), phi = radians(at[1]);
@@ -31,7 +32,7 @@ void addLight(Scene& scene, const std::string& text, double rotation) {
     scene.lights.push_back({SceneLight::Kind::Point, {at[0], at[1], at[2]}, {intensity, intensity, intensity}});
   } else {
     throw Error(Error::Kind::Usage, {"unknown light", "--light", "'" + text + "'",
-                                     "env:FILE, directional:theta,phi (degrees) or point:x,y,z"});
+                                     "env:FILE, angular:FILE, directional:theta,phi (degrees) or point:x,y,z"});
   }
 }
 
@@ -47,8 +48,8 @@ Scene sceneFromFile(const SceneRequest& request) {
 
 Scene sceneOfOneObject(const SceneRequest& request) {
   if (request.lights.empty())
-    throw Error(Error::Kind::Usage,
-                {"required option missing", "--light", "", "env:FILE, directional:theta,phi or point:x,y,z"});
+    throw Error(Error::Kind::Usage, {"required option missing", "--light", "",
+                                     "env:FILE, angular:FILE, directional:theta,phi or point:x,y,z"});
   Scene scene;
   for (const std::string& light : request.lights) addLight(scene, light, request.rotation);
   scene.materials = {loadMaterial(request.material, request.assumptions).brdf};
@@ -100,10 +101,10 @@ void declareScene(Arguments& arguments, SceneRequest& request) {
   arguments.optional();
   arguments.option("--object", request.object, "NAME|FILE",
                    "A shape (docs/rendering.md lists them), or a file: .ply, .obj, .stl, .vtp, .gltf, .glb [sphere]");
-  arguments.option(
-      "--light", request.lights, "LIGHT",
-      "env:FILE (equirectangular .exr or .hdr), directional:theta,phi (degrees from +y, and about it from +z) or "
-      "point:x,y,z; the last two give a white diffuser that faces them radiance 1; several times");
+  arguments.option("--light", request.lights, "LIGHT",
+                   "env:FILE (equirectangular .exr or .hdr), angular:FILE (a light probe of Debevec), "
+                   "directional:theta,phi (degrees from +y, and about it from +z) or "
+                   "point:x,y,z; the last two give a white diffuser that faces them radiance 1; several times");
   arguments.option("--rotate", request.rotation, {-360, 360}, "DEGREES", "Turn the environment about the vertical");
   arguments.option("--scene", request.scene, "FILE.json",
                    "Objects, materials, lights and camera in a file (docs/scenes.md) instead of a material");

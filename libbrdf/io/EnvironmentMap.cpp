@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
 
 namespace brdf {
 namespace {
@@ -44,6 +45,40 @@ void interpolate(const Image& picture, double u, double v, double* rgb) {
 void interpolateToward(const Image& picture, const Direction& d, double* rgb) {
   const double v = std::acos(std::clamp(d[1], -1.0, 1.0)) / kPi;
   interpolate(picture, 0.5 + std::atan2(d[0], -d[2]) / (2 * kPi), v, rgb);
+}
+
+/// Bilinear interpolation in an angular map between those of the four nearest pixels whose centres lie in the circle.
+void interpolateAngular(const Image& picture, const Direction& d, float* rgb) {
+  const auto side = static_cast<std::ptrdiff_t>(picture.width);
+  const double across = std::hypot(d[0], d[1]), half = double(side) / 2;
+  const double r = std::atan2(across, d[2]) / kPi;  // acos(d.z) / pi
+  const double u = across > 0 ? r * d[0] / across : r, v = across > 0 ? r * d[1] / across : 0;
+  const double x = half * (1 + u) - 0.5, y = half * (1 - v) - 0.5, left = std::floor(x), top = std::floor(y);
+  double sum[3] = {}, weights = 0;
+  const auto add = [&](std::ptrdiff_t column, std::ptrdiff_t row, double weight) {
+    const float* texel = picture.pixel(static_cast<std::size_t>(column), static_cast<std::size_t>(row));
+    for (std::size_t c = 0; c < 3; ++c) sum[c] += weight * double(texel[picture.channels == 1 ? 0 : c]);
+    weights += weight;
+  };
+  for (int corner = 0; corner < 4; ++corner) {
+    const auto column = static_cast<std::ptrdiff_t>(left) + corner % 2,
+               row = static_cast<std::ptrdiff_t>(top) + corner / 2;
+    if (column < 0 || row < 0 || column >= side || row >= side) continue;
+    if (std::hypot(double(column) + 0.5 - half, double(row) + 0.5 - half) > half) continue;
+    add(column, row, (corner % 2 ? x - left : 1 - (x - left)) * (corner / 2 ? y - top : 1 - (y - top)));
+  }
+  if (!(weights > 0)) {  // at the rim: a pixel further in
+    const double inner = std::max(0.0, 1 - 1.5 / half) / std::max(r, 1e-30);
+    const auto at = [&](double place) {
+      return std::clamp(static_cast<std::ptrdiff_t>(half * (1 + inner * place)), std::ptrdiff_t{0}, side - 1);
+    };
+    add(at(u), at(-v), 1);
+  }
+  for (std::size_t c = 0; c < 3; ++c) rgb[c] = static_cast<float>(sum[c] / weights);
+}
+
+std::string sizeText(const Image& picture) {
+  return std::to_string(picture.width) + " x " + std::to_string(picture.height);
 }
 
 /// Half the width and height, means weighted by solid angle. Both sides are even.
@@ -98,10 +133,14 @@ std::vector<std::array<float, 9>> blockFluxes(const Image& picture) {
 
 EnvironmentMap::EnvironmentMap(const Image& picture) {
   if (picture.height == 0 || picture.width != 2 * picture.height)
-    throw Error(Error::Kind::Value, {"not an equirectangular environment map",
-                                     {},
-                                     std::to_string(picture.width) + " x " + std::to_string(picture.height),
-                                     "twice as wide as high"});
+    throw Error(Error::Kind::Value,
+                {"not an equirectangular environment map",
+                 {},
+                 sizeText(picture),
+                 picture.width == picture.height
+                     ? "twice as wide as high; a square one may be an angular map (a light probe): say so, with "
+                       "angular:FILE or in a scene \"mapping\": \"angular\""
+                     : "twice as wide as high"});
   picture_ = Image(picture.width, picture.height, 3);
   for (std::size_t pixel = 0; pixel < picture.width * picture.height; ++pixel) {
     const float* from = picture.values.data() + pixel * picture.channels;
@@ -124,8 +163,26 @@ EnvironmentMap EnvironmentMap::constant(const Rgb& radiance) {
   return EnvironmentMap(picture);
 }
 
-EnvironmentMap EnvironmentMap::read(const std::filesystem::path& path) try {
-  return EnvironmentMap(readImage(path));
+EnvironmentMap::Mapping EnvironmentMap::mapping(std::string_view name) {
+  if (name == "equirectangular") return Mapping::Equirectangular;
+  if (name == "angular") return Mapping::Angular;
+  throw Error(Error::Kind::Value, {"unknown mapping", {}, "\"" + std::string(name) + "\"", "equirectangular, angular"});
+}
+
+EnvironmentMap EnvironmentMap::fromAngular(const Image& picture) {
+  if (picture.height == 0 || picture.width != picture.height)
+    throw Error(Error::Kind::Value, {"not an angular map", {}, sizeText(picture), "as wide as high"});
+  Image resampled(2 * picture.height, picture.height, 3);
+  parallelFor(resampled.height, 8, [&](std::size_t first, std::size_t last) {
+    for (std::size_t y = first; y < last; ++y)
+      for (std::size_t x = 0; x < resampled.width; ++x)
+        interpolateAngular(picture, texelDirection(resampled, double(x) + 0.5, double(y) + 0.5), resampled.pixel(x, y));
+  });
+  return EnvironmentMap(resampled);
+}
+
+EnvironmentMap EnvironmentMap::read(const std::filesystem::path& path, Mapping mapping) try {
+  return mapping == Mapping::Angular ? fromAngular(readImage(path)) : EnvironmentMap(readImage(path));
 } catch (const Error& error) {
   if (!error.details().where.empty()) throw;
   Error::Details details = error.details();

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <string_view>
 
 namespace brdf {
 
@@ -31,8 +32,23 @@ class BRDF_EXPORT EnvironmentMap {
   explicit EnvironmentMap(const Image& picture);
   /// The same radiance from everywhere.
   static EnvironmentMap constant(const Rgb& radiance);
-  /// Reads an OpenEXR or Radiance picture. Throws as readImage and the constructor do, naming the file.
-  static EnvironmentMap read(const std::filesystem::path& path);
+
+  /// How directions lie in a picture.
+  enum class Mapping {
+    Equirectangular,  ///< as above
+    /// Light probe of P. Debevec (1998; angmap.cal of "Rendering with Natural Light"): a direction d lies at
+    /// (u, v) = r (d.x, d.y), r = acos(d.z) / (pi sqrt(d.x^2 + d.y^2)), with u and v from -1 to 1 to the right and
+    /// upwards. The centre is +z, the way back to a camera that looks along -z at a mirror ball, right +x, top +y, and
+    /// the whole rim of the circle -z. What is outside the circle is not used.
+    Angular
+  };
+  /// The mapping called "equirectangular" or "angular". Throws Error::Kind::Value.
+  static Mapping mapping(std::string_view name);
+  /// Takes an angular map of 1, 3 or 4 channels, resampled to an equirectangular picture as high as it is: half a pixel
+  /// of the angular map a texel. Throws Error::Kind::Value when it is not square.
+  static EnvironmentMap fromAngular(const Image& picture);
+  /// Reads an OpenEXR or Radiance picture. Throws as readImage and the constructors do, naming the file.
+  static EnvironmentMap read(const std::filesystem::path& path, Mapping mapping = Mapping::Equirectangular);
 
   std::size_t width() const { return picture_.width; }
   std::size_t height() const { return picture_.height; }

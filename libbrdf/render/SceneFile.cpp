@@ -99,9 +99,15 @@ SceneEnvironment sceneEnvironment(const JsonObject& entry, const std::filesystem
   SceneEnvironment environment;
   if (entry.has("file") == entry.has("constant"))
     entry.fail("either of two", "file or constant", "", "exactly one of them");
-  environment.map =
-      std::make_shared<const EnvironmentMap>(entry.has("file") ? EnvironmentMap::read(beside(scene, entry.text("file")))
-                                                               : EnvironmentMap::constant(entry.triple("constant")));
+  if (entry.has("file")) {
+    const std::string mapping = entry.has("mapping") ? entry.text("mapping") : "equirectangular";
+    if (mapping != "equirectangular" && mapping != "angular")
+      entry.fail("unknown mapping", "mapping", "\"" + mapping + "\"", "equirectangular, angular");
+    environment.map = std::make_shared<const EnvironmentMap>(
+        EnvironmentMap::read(beside(scene, entry.text("file")), EnvironmentMap::mapping(mapping)));
+  } else {
+    environment.map = std::make_shared<const EnvironmentMap>(EnvironmentMap::constant(entry.triple("constant")));
+  }
   environment.rotation = entry.number("rotation", 0);
   environment.scale = entry.number("scale", 1);
   entry.finish();

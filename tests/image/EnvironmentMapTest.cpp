@@ -1,6 +1,9 @@
+#include "../TestFolder.h"
+
 #include <brdf/base/Error.h>
 #include <brdf/io/EnvironmentMap.h>
 #include <brdf/io/EnvironmentSampler.h>
+#include <brdf/io/ImageFile.h>
 #include <brdf/sampling/Sequence.h>
 #include <gtest/gtest.h>
 
@@ -278,4 +281,120 @@ TEST(OctahedralMap, FootprintsHoldTheFourTexelsOfABilinearLookUp) {
       sum += double(at & 511u) * std::exp2(double(at >> 27) - 31) * double(dithered.unit);
     }
   EXPECT_NEAR(sum / (size * size), double(between), 0.02 / 256);
+}
+
+// Light probes, made from a function of the direction by the inverse of Debevec's formula: theta = pi r from +z.
+namespace {
+
+brdf::Image lightProbe(std::size_t side, const auto& radiance) {
+  brdf::Image probe(side, side, 3);
+  std::fill(probe.values.begin(), probe.values.end(), 1e6f);  // outside the circle: must not be seen
+  for (std::size_t y = 0; y < side; ++y)
+    for (std::size_t x = 0; x < side; ++x) {
+      const double u = 2 * (double(x) + 0.5) / double(side) - 1, v = 1 - 2 * (double(y) + 0.5) / double(side);
+      const double r = std::sqrt(u * u + v * v), theta = kPi * r;
+      if (r > 1) continue;
+      const auto rgb = radiance(Direction{std::sin(theta) * u / r, std::sin(theta) * v / r, std::cos(theta)});
+      for (std::size_t c = 0; c < 3; ++c) probe.pixel(x, y)[c] = static_cast<float>(rgb[c]);
+    }
+  return probe;
+}
+
+Direction scattered(std::size_t i) {
+  const auto [u, v] = brdf::r2(i, 0, 0);
+  const double z = 1 - 2 * u, s = std::sqrt(1 - z * z);
+  return {s * std::cos(2 * kPi * v), s * std::sin(2 * kPi * v), z};
+}
+
+}  // namespace
+
+TEST(AngularMap, EveryDirectionIsSeenWhereTheFormulaPutsIt) {
+  const auto light = [](const Direction& d) {
+    return EnvironmentMap::Rgb{2 + d[0], 2 + d[1], 2 + d[2] + 0.5 * std::sin(5 * d[0] + 3 * d[1])};
+  };
+  const EnvironmentMap map = EnvironmentMap::fromAngular(lightProbe(512, light));
+  EXPECT_EQ(map.width(), 1024u);
+  for (std::size_t i = 0; i < 5000; ++i) {
+    const Direction d = scattered(i);
+    // Pixels of 0.7 degrees; a degree around the rim is stretched over the circumference.
+    const double margin = d[2] < -0.9998 ? 0.03 : 0.002;
+    const auto found = map.radiance(d), expected = light(d);
+    for (std::size_t c = 0; c < 3; ++c)
+      EXPECT_NEAR(found[c], expected[c], margin) << d[0] << ' ' << d[1] << ' ' << d[2];
+  }
+}
+
+TEST(AngularMap, TheCentreIsTowardsTheCameraAndTheRimBehindTheBall) {
+  // A camera on +z looks at the ball: its right is +x, up is +y. A quarter of the width is a right angle.
+  brdf::Image probe(256, 256, 3);
+  const auto paint = [&](std::size_t x, std::size_t y, std::size_t channel) {
+    for (std::size_t j = y - 4; j < y + 4; ++j)
+      for (std::size_t i = x - 4; i < x + 4; ++i) probe.pixel(i, j)[channel] = 1;
+  };
+  paint(128, 128, 0);
+  paint(192, 128, 1);
+  paint(128, 64, 2);
+  const EnvironmentMap map = EnvironmentMap::fromAngular(probe);
+  EXPECT_NEAR(map.radiance({0, 0, 1})[0], 1, 1e-6);
+  EXPECT_NEAR(map.radiance({1, 0, 0})[1], 1, 1e-6);
+  EXPECT_NEAR(map.radiance({0, 1, 0})[2], 1, 1e-6);
+  for (const Direction& d : {Direction{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}})
+    EXPECT_EQ(map.radiance(d), (EnvironmentMap::Rgb{0, 0, 0}));
+}
+
+TEST(AngularMap, ItsPowerIsThatOfThePixelsSolidAngles) {
+  // A pixel of an angular map has the solid angle (2 pi / side)^2 sin(theta) / theta.
+  const brdf::Image probe = lightProbe(400, [](const Direction& d) {
+    return EnvironmentMap::Rgb{1 + d[0] * d[1], 1 + d[2] * d[2], std::exp(d[2])};
+  });
+  EnvironmentMap::Rgb power{};
+  for (std::size_t y = 0; y < 400; ++y)
+    for (std::size_t x = 0; x < 400; ++x) {
+      const double theta = kPi * std::hypot((double(x) + 0.5) / 200 - 1, (double(y) + 0.5) / 200 - 1);
+      if (theta > kPi) continue;
+      for (std::size_t c = 0; c < 3; ++c)
+        power[c] += double(probe.pixel(x, y)[c]) * std::pow(2 * kPi / 400, 2) * std::sin(theta) / theta;
+    }
+  const auto found = EnvironmentMap::fromAngular(probe).totalPower();
+  for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], power[c], 1e-3 * power[c]);
+}
+
+TEST(AngularMap, AShippedMapSurvivesTheWayThereAndBack) {
+  const EnvironmentMap map = shipped("venice");
+  const auto probe = lightProbe(1024, [&](const Direction& d) { return map.radiance(d); });
+  const auto file = testFolder("maps") / "probe.exr";
+  brdf::writeExr(probe, file);
+  const EnvironmentMap back = EnvironmentMap::read(file, EnvironmentMap::mapping("angular"));
+  double difference = 0, square = 0;
+  for (std::size_t i = 0; i < 20000; ++i) {
+    const Direction d = scattered(i);
+    const auto found = back.radiance(d), expected = map.radiance(d);
+    for (std::size_t c = 0; c < 3; ++c) {
+      difference += std::pow(found[c] - expected[c], 2);
+      square += expected[c] * expected[c];
+    }
+  }
+  EXPECT_LT(std::sqrt(difference / square), 0.05);
+  for (std::size_t c = 0; c < 3; ++c)
+    EXPECT_NEAR(back.totalPower()[c], map.totalPower()[c], 5e-3 * map.totalPower()[c]);
+}
+
+TEST(AngularMap, ASquarePictureTakenForEquirectangularIsAnErrorThatNamesTheOption) {
+  const auto file = testFolder("maps") / "square.exr";
+  brdf::writeExr(brdf::Image(64, 64, 3), file);
+  try {
+    EnvironmentMap::read(file);
+    FAIL();
+  } catch (const brdf::Error& error) {
+    EXPECT_NE(std::string(error.what()).find("square.exr"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("angular:FILE"), std::string::npos) << error.what();
+  }
+  EXPECT_THROW(EnvironmentMap::fromAngular(brdf::Image(64, 32, 3)), brdf::Error);
+  EXPECT_THROW(EnvironmentMap::fromAngular(brdf::Image()), brdf::Error);
+  EXPECT_THROW(EnvironmentMap::mapping("mirror"), brdf::Error);
+  for (const std::size_t side : {1, 2, 3}) {  // degenerate, but there is light in the circle
+    brdf::Image tiny(side, side, 1);
+    std::fill(tiny.values.begin(), tiny.values.end(), 1.0f);
+    EXPECT_NEAR(EnvironmentMap::fromAngular(tiny).radiance({0.6, 0, -0.8})[2], 1, 1e-6) << side;
+  }
 }

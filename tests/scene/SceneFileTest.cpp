@@ -2,6 +2,7 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
+#include <brdf/io/ImageFile.h>
 #include <brdf/render/SceneFile.h>
 
 #include <gtest/gtest.h>
@@ -70,6 +71,18 @@ TEST(SceneFile, EverythingItCanSay) {
   EXPECT_NEAR(scene.objects[1].placement.turned({0, 1, 0})[2], 1, 1e-15);  // facing the camera
   EXPECT_EQ(scene.objects[2].mesh->points[1][0], 3.5);
   EXPECT_EQ(scene.objects[2].placement.scale, 2);
+}
+
+TEST(SceneFile, AnEnvironmentMayBeALightProbe) {
+  const auto path = written(R"json({"environment": {"file": "probe.exr", "mapping": "angular"},
+    "materials": {"m": "Lambertian"}, "objects": [{"shape": "sphere", "material": "m"}]})json");
+  Image probe(64, 64, 3);
+  for (std::size_t y = 0; y < 64; ++y)
+    for (std::size_t x = 32; x < 64; ++x) std::fill_n(probe.pixel(x, y), 3, 1.0f);
+  writeExr(probe, path.parent_path() / "probe.exr");
+  const Scene scene = readScene(path);
+  EXPECT_EQ(scene.environment->map->radiance({1, 0, 0})[0], 1);  // the right half of the probe
+  EXPECT_EQ(scene.environment->map->radiance({-1, 0, 0})[0], 0);
 }
 
 TEST(SceneFile, SaysWhereItIsWrong) {

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -25,7 +26,8 @@ struct Values {
   RenderPicture picture;
   ReferenceOptions options;
   std::string standardError;  ///< .exr for the standard error of every number; empty: none
-  bool reference = false;
+  bool reference = false, converge = false;
+  std::optional<double> tolerance;
   std::size_t samples = 0;  ///< 0: not given
   std::size_t turntable = 0;
   std::string turn = "object";
@@ -51,6 +53,15 @@ double meanOf(const Image& image) {
 
 void writePicture(const Image& radiance, const RenderPicture& picture, const std::string& path) {
   path.ends_with(".png") ? pictures().writePng(radiance, picture, path) : writeExr(radiance, path);
+}
+
+/// The same picture with its progress shown, stopping with Ctrl-C.
+RenderPicture watched(RenderPicture picture, Progress& progress) {
+  picture.converge->progress = [&progress](std::size_t done, std::size_t most, double error) {
+    progress.update(done, most, std::isfinite(error) ? "relative error " + number(error) : "");
+    return !interrupted();
+  };
+  return picture;
 }
 
 nlohmann::json subjectJson(const Values& values, const Scene& scene) {
@@ -112,6 +123,39 @@ void runDevice(const Output& output, const Values& values, const Scene& scene) {
   output.report(report);
 }
 
+/// On the graphics device without filtering. With Ctrl-C what is drawn so far is written.
+void runConverging(const Output& output, const Values& values, const Scene& scene) {
+  const Interruptible untilSaved;
+  const auto start = std::chrono::steady_clock::now();
+  RenderedFrame frame;
+  {
+    Progress progress(output, "render");
+    frame = pictures().frameDrawer()(scene, watched(values.picture, progress));
+  }
+  for (const std::string& path : values.picture.out) writePicture(frame.radiance, values.picture, path);
+  if (!values.standardError.empty()) writeExr(frame.standardError, values.standardError);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const double tolerance = values.picture.converge->tolerance;
+  std::string text = joined(values.picture.out) + ": " + std::to_string(frame.samples) +
+                     " samples a pixel, mean radiance " + number(meanOf(frame.radiance)) +
+                     ", relative standard error " + number(frame.relativeError) + ", " + formatNumber(seconds, 3) +
+                     " s on " + frame.device;
+  if (tolerance > 0 && !frame.converged)
+    text += "\n  note: the tolerance " + formatNumber(tolerance) + " was not reached";
+  output.line(text);
+  nlohmann::json report = subjectJson(values, scene);
+  report.update({{"samples", frame.samples},
+                 {"tolerance", tolerance},
+                 {"relative_error", frame.relativeError},
+                 {"converged", frame.converged},
+                 {"mean_radiance", meanOf(frame.radiance)},
+                 {"seconds", seconds},
+                 {"device", frame.device}});
+  output.report(report);
+  if (frame.stopped)
+    throw Error(Error::Kind::Value, {"interrupted; the picture so far was kept", "brdf render", "", ""});
+}
+
 /// Frames of a full turn of the objects or of the environment.
 void runTurntable(const Output& output, const Values& values, const Scene& scene, bool reference) {
   const auto start = std::chrono::steady_clock::now();
@@ -138,8 +182,12 @@ void runTurntable(const Output& output, const Values& values, const Scene& scene
         if (picture.stopped) break;
         frame.radiance = std::move(picture.radiance);
       } else {
-        frame = draw(turned, values.picture);
+        RenderPicture picture = values.picture;
+        if (picture.converge)
+          picture.converge->progress = [](std::size_t, std::size_t, double) { return !interrupted(); };
+        frame = draw(turned, picture);
         device = frame.device;
+        if (frame.stopped) break;
       }
       for (const std::string& pattern : values.picture.out)
         writePicture(frame.radiance, values.picture, frameName(pattern, done));
@@ -159,10 +207,13 @@ void runTurntable(const Output& output, const Values& values, const Scene& scene
 }
 
 void checkOptions(const Values& values) {
-  const ReferenceOptions& options = values.options;
-  if (!values.reference && (options.tolerance > 0 || options.bounces > 1 || !values.standardError.empty()))
-    throw Error(Error::Kind::Usage, {"--tolerance, --bounces and --standard-error need the reference renderer",
-                                     "brdf render", "", "--reference"});
+  if (values.reference && values.converge)
+    throw Error(Error::Kind::Usage, {"one of two ways to draw", "brdf render", "--reference and --converge", "one"});
+  if (!values.reference && values.options.bounces > 1)
+    throw Error(Error::Kind::Usage, {"--bounces needs the reference renderer", "brdf render", "", "--reference"});
+  if (!values.reference && !values.converge && (values.tolerance || !values.standardError.empty()))
+    throw Error(Error::Kind::Usage, {"--tolerance and --standard-error need a way to draw that has them", "brdf render",
+                                     "", "--reference or --converge"});
   if (values.turntable > 0 && !values.standardError.empty())
     throw Error(Error::Kind::Usage, {"of one picture only", "--standard-error", "", "without --turntable"});
   for (const std::string& path : values.picture.out) {
@@ -184,11 +235,19 @@ void run(const Output& output, Values values) {
   const bool reference = values.reference || !shaders;
   const std::size_t usual = values.reference ? values.options.samples : values.picture.samples;
   values.options.samples = std::max<std::size_t>(2, values.samples > 0 ? values.samples : usual);
+  values.options.tolerance = values.tolerance.value_or(values.converge ? ConvergeOptions().tolerance : 0);
+  if (values.converge) {
+    ConvergeOptions& converge = values.picture.converge.emplace();
+    converge.tolerance = values.options.tolerance;
+    if (values.samples > 0) converge.samples = values.samples;
+  }
   values.picture.samples = values.samples > 0 ? values.samples : values.picture.samples;
   if (values.turntable > 0)
     runTurntable(output, values, scene, reference);
   else if (reference)
     runReference(output, values, scene);
+  else if (values.converge)
+    runConverging(output, values, scene);
   else
     runDevice(output, values, scene);
 }
@@ -202,6 +261,8 @@ Command renderCommand() {
           "--out sphere.exr\n"
           "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png\n"
           "  brdf render \"0.5*Lambertian\" --light point:2,2,3 --reference --samples 64 --size 64x64 --out true.exr\n"
+          "  brdf render \"0.5*GGX(alpha=0.3)\" --light directional:45,0 --converge --tolerance 0.02 --size 64x64 "
+          "--out converged.exr\n"
           "  brdf render \"GGX(alpha=0.3)\" --ground --camera three-quarter --light directional:40,60 --turntable 3 "
           "--size 64x64 --out frame_%03d.png",
           [values](Arguments& arguments) {
@@ -209,17 +270,21 @@ Command renderCommand() {
             ReferenceOptions& reference = values->options;
             declareScene(arguments, values->subject);
             arguments.option("--samples", values->samples, {1, 1 << 24},
-                             "A pixel: under an environment [64]; with --reference, paths at most [256]");
+                             "A pixel: under an environment [64]; with --reference, paths at most [256]; with "
+                             "--converge, at most [4096]");
             arguments.choice("--shadows", picture.shadows, {"none", "lights", "all"},
                              "On the graphics device: of no light, of lights besides the environment, or of all");
             arguments.flag("--reference", values->reference,
                            "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
-            arguments.option("--tolerance", reference.tolerance, {0, 1}, "NUMBER",
-                             "With --reference: stop when the relative standard error is below");
+            arguments.flag("--converge", values->converge,
+                           "Without filtering on the graphics device, until the noise is below the tolerance");
+            arguments.option("--tolerance", values->tolerance, {0, 1}, "NUMBER",
+                             "With --reference [0] or --converge [0.01]: stop when the relative standard error is "
+                             "below; 0: draw all samples");
             arguments.option("--bounces", reference.bounces, {1, 1000},
                              "With --reference: surfaces that light may meet on its way; 1 is direct light");
             arguments.option("--standard-error", values->standardError, "FILE.exr",
-                             "With --reference: the standard error of every pixel");
+                             "With --reference or --converge: the standard error of every number");
             arguments.option("--turntable", values->turntable, {0, 100000},
                              "Frames of a full turn; --out names them, as in frame_%03d.png; 0: one picture");
             arguments.choice("--turn", values->turn, {"object", "environment"}, "What turns on the turntable");

@@ -2,6 +2,7 @@
 
 #include <vtkBRDFRender.h>
 #include <vtkBRDFToneMap.h>
+#include <vtkCallbackCommand.h>
 #include <vtkImageData.h>
 #include <vtkPNGWriter.h>
 
@@ -10,6 +11,44 @@ namespace {
 
 void writePng(vtkImageData* radiance, const RenderPicture& request, const std::string& path) {
   writeVtk<vtkPNGWriter>(toneMapped(radiance, request).Get(), path);
+}
+
+/// Takes an observer off when it goes.
+struct ObserverRemover {
+  vtkObject* object;
+  unsigned long tag;
+  ~ObserverRemover() { object->RemoveObserver(tag); }
+};
+
+RenderedFrame converged(vtkBRDFRender* render, const ConvergeOptions& options) {
+  render->SetMode(vtkBRDFRender::MODE_CONVERGING);
+  render->SetTolerance(options.tolerance);
+  render->SetMaximumSamples(static_cast<int>(options.samples));
+  struct Watch {
+    vtkBRDFRender* render;
+    const ConvergeOptions* options;
+    bool stopped;
+  } watch{render, &options, false};
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback([](vtkObject*, unsigned long, void* data, void*) {
+    auto& here = *static_cast<Watch*>(data);
+    const auto done = static_cast<std::size_t>(here.render->GetSamplesDrawn());
+    if (!here.options->progress || done == 0 || here.stopped) return;
+    here.stopped = !here.options->progress(done, here.options->samples, here.render->GetRelativeError());
+    if (here.stopped) here.render->SetAbortExecute(1);
+  });
+  const unsigned long observer = render->AddObserver(vtkCommand::ProgressEvent, command);
+  render->Modified();
+  const ObserverRemover remover{render, observer};
+  updateOrThrow(render);
+  RenderedFrame frame{toImage(render->GetOutput()), render->GetDeviceDescription(), {}};
+  frame.standardError = toImage(render->GetStandardError());
+  frame.samples = static_cast<std::size_t>(render->GetSamplesDrawn());
+  frame.relativeError = render->GetRelativeError();
+  frame.converged = render->GetConverged();
+  frame.stopped = watch.stopped;
+  return frame;
 }
 
 }  // namespace
@@ -63,8 +102,9 @@ FrameDrawer frameDrawer() {
                        : request.shadows == "lights" ? vtkBRDFRender::SHADOWS_LIGHTS
                                                      : vtkBRDFRender::SHADOWS_ALL);
     setColours(render.Get(), request.colours);
+    if (request.converge) return converged(render, *request.converge);
     updateOrThrow(render);
-    return RenderedFrame{toImage(render->GetOutput()), render->GetDeviceDescription()};
+    return RenderedFrame{toImage(render->GetOutput()), render->GetDeviceDescription(), {}};
   };
 }
 
