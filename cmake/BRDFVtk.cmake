@@ -1,7 +1,7 @@
 # The VTK module BRDF::vtkfilters and its Python package `brdflab`.
 #
 # Components are always named: without the list VTK 9.1 demands Qt 5.
-set(brdf_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry
+set(brdf_vtk_components CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry
   IOImage IOPLY IOXML RenderingCore RenderingFreeType RenderingOpenGL2)
 if (BRDF_BUILD_PYTHON)
   list(APPEND brdf_vtk_components Python WrappingPythonCore WrappingTools)

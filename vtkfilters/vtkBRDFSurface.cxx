@@ -2,7 +2,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -12,6 +11,7 @@
 #include "vtkTriangleFilter.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/render/MeshFrames.h>
 
 #include <cmath>
 
@@ -38,6 +38,30 @@ vtkSmartPointer<vtkFloatArray> Array(const std::vector<brdf::Direction>& values,
     array->SetTuple(static_cast<vtkIdType>(k), values[k].data());
   }
   return array;
+}
+
+// VTK's own filters trust corners.
+void RequireCorners(vtkPolyData* surface)
+{
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    for (cells->InitTraversal(); cells->GetNextCell(count, corners);)
+    {
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        if (corners[k] < 0 || corners[k] >= surface->GetNumberOfPoints())
+        {
+          throw brdf::Error(brdf::Error::Kind::Value,
+                            { "a polygon of the object to render has a corner that is no point",
+                              {},
+                              std::to_string(corners[k]),
+                              "0 to " + std::to_string(surface->GetNumberOfPoints() - 1) });
+        }
+      }
+    }
+  }
 }
 
 void RequireFinite(vtkDataArray* array, const char* what)
@@ -90,38 +114,57 @@ vtkSmartPointer<vtkPolyData> vtkBRDFSurface::Complete(vtkPolyData* surface)
   RequireFinite(surface->GetPoints()->GetData(), "point");
   RequireFinite(surface->GetPointData()->GetNormals(), "normal");
   RequireFinite(surface->GetPointData()->GetTangents(), "tangent");
-  if (surface->GetPointData()->GetNormals())
+  RequireCorners(surface);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputData(surface);
+  triangles->PassLinesOff();
+  triangles->PassVertsOff();
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> complete = triangles->GetOutput();
+  if (!complete->GetPointData()->GetNormals())
   {
-    return surface;
+    vtkNew<vtkPolyDataNormals> normals;
+    normals->SetInputData(complete);
+    normals->SetFeatureAngle(40);
+    normals->Update();
+    complete = normals->GetOutput();
   }
-  vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(surface);
-  normals->SetFeatureAngle(40);
-  normals->Update();
-  return normals->GetOutput();
+  brdf::TriangleMesh mesh = ToMesh(complete);
+  brdf::removeDegenerateTriangles(mesh);
+  if (mesh.triangles.empty())
+  {
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "the object to render is empty", {}, "no polygons with an area", {} });
+  }
+  brdf::settleNormals(mesh);
+  brdf::addTangents(mesh);
+  return FromMesh(mesh);
 }
 
 brdf::TriangleMesh vtkBRDFSurface::ToMesh(vtkPolyData* surface)
 {
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(surface);
-  filter->PassLinesOff();
-  filter->PassVertsOff();
-  filter->Update();
-  vtkPolyData* triangles = filter->GetOutput();
   brdf::TriangleMesh mesh;
-  mesh.points = Tuples(triangles->GetPoints()->GetData());
-  mesh.normals = Tuples(triangles->GetPointData()->GetNormals());
-  mesh.tangents = Tuples(triangles->GetPointData()->GetTangents());
-  mesh.triangles.reserve(static_cast<std::size_t>(triangles->GetNumberOfCells()));
-  vtkNew<vtkIdList> corners;
-  for (vtkIdType cell = 0; cell < triangles->GetNumberOfCells(); ++cell)
+  mesh.points = Tuples(surface->GetPoints()->GetData());
+  mesh.normals = Tuples(surface->GetPointData()->GetNormals());
+  mesh.tangents = Tuples(surface->GetPointData()->GetTangents());
+  if (vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
+      coordinates && coordinates->GetNumberOfComponents() >= 2)
   {
-    triangles->GetCellPoints(cell, corners);
-    auto& triangle = mesh.triangles.emplace_back();
-    for (vtkIdType k = 0; k < 3; ++k)
+    for (vtkIdType k = 0; k < coordinates->GetNumberOfTuples(); ++k)
     {
-      triangle[static_cast<std::size_t>(k)] = static_cast<std::uint32_t>(corners->GetId(k));
+      mesh.textureCoordinates.push_back({ coordinates->GetComponent(k, 0), coordinates->GetComponent(k, 1) });
+    }
+  }
+  vtkCellArray* cells = surface->GetPolys();
+  mesh.triangles.reserve(static_cast<std::size_t>(cells->GetNumberOfCells()));
+  vtkIdType count = 0;
+  const vtkIdType* corners = nullptr;
+  for (cells->InitTraversal(); cells->GetNextCell(count, corners);)
+  {
+    auto& triangle = mesh.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      triangle[k] = static_cast<std::uint32_t>(corners[k]);
     }
   }
   return mesh;
@@ -147,6 +190,18 @@ vtkSmartPointer<vtkPolyData> vtkBRDFSurface::FromMesh(const brdf::TriangleMesh& 
   if (!mesh.tangents.empty())
   {
     surface->GetPointData()->SetTangents(Array(mesh.tangents, "Tangents"));
+  }
+  if (!mesh.textureCoordinates.empty())
+  {
+    vtkNew<vtkFloatArray> coordinates;
+    coordinates->SetName("TextureCoordinates");
+    coordinates->SetNumberOfComponents(2);
+    coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.textureCoordinates.size()));
+    for (std::size_t k = 0; k < mesh.textureCoordinates.size(); ++k)
+    {
+      coordinates->SetTuple(static_cast<vtkIdType>(k), mesh.textureCoordinates[k].data());
+    }
+    surface->GetPointData()->SetTCoords(coordinates);
   }
   return surface;
 }

@@ -13,8 +13,9 @@ namespace vtkBRDFSurface
 // normal is off by at most (edge angle)^2 / 8 = 7.5e-5 rad.
 vtkSmartPointer<vtkPolyData> UnitSphere();
 
-// A surface ready to be drawn: as it is where it has normals, else with normals made for it (splitting edges sharper
-// than 40 degrees). Throws brdf::Error where there are no polygons, or a point or normal is not finite.
+// A surface ready to be drawn by either renderer: triangles, with normals and tangents made where it has none (normals
+// splitting edges sharper than 40 degrees; tangents by brdf::addTangents). Throws brdf::Error where there are no
+// polygons with an area, a corner is no point, or a point, normal or tangent is not finite.
 vtkSmartPointer<vtkPolyData> Complete(vtkPolyData* surface);
 
 // The triangles of a completed surface, and back.

@@ -128,11 +128,8 @@ struct PictureFunctions {
   void (*audit)(const AuditPicture&);
   void (*dotPlot)(const DotPlotPicture&);
   void (*montage)(const MontagePicture&);
-  /// A mesh with normals (made where the file has none, splitting edges sharper than 40 degrees) from a .ply, .obj,
-  /// .stl or .vtp file.
-  TriangleMesh (*readMesh)(const std::string& path);
-  /// A shape by name (docs/rendering.md). Throws Error::Kind::Value naming those that there are.
-  TriangleMesh (*makeShape)(const std::string& name);
+  /// A shape by name, or a mesh from a file, with normals and tangents: see vtkBRDFObjectSource.
+  TriangleMesh (*makeObject)(const std::string& object);
   /// Linear radiance from an OpenEXR, Radiance, PNG or JPEG file; the last two are taken for sRGB.
   Image (*readPicture)(const std::string& path);
   /// Linear radiance (three channels, or four with alpha) as the .png that `request` asks for, without its other

@@ -40,8 +40,8 @@ Scene sceneFromFile(const SceneRequest& request) {
   if (!request.lights.empty())
     throw Error(Error::Kind::Usage, {"a scene has its own lights", "--light", request.lights.front(), ""});
   SceneReaders readers;
-  readers.mesh = [](const std::filesystem::path& path) { return pictures().readMesh(path.string()); };
-  readers.shape = [](const std::string& name) { return pictures().makeShape(name); };
+  readers.mesh = [](const std::filesystem::path& path) { return pictures().makeObject(path.string()); };
+  readers.shape = [](const std::string& name) { return pictures().makeObject(name); };
   readers.picture = [](const std::filesystem::path& path) { return pictures().readPicture(path.string()); };
   return readScene(request.scene, readers);
 }
@@ -55,9 +55,7 @@ Scene sceneOfOneObject(const SceneRequest& request) {
   scene.materials = {loadMaterial(request.material, request.assumptions).brdf};
   SceneObject object{request.object, nullptr, {}, 0};
   if (request.object != "sphere") {
-    const bool file = request.object.find('.') != std::string::npos;
-    object.mesh = std::make_shared<const TriangleMesh>(file ? pictures().readMesh(request.object)
-                                                            : pictures().makeShape(request.object));
+    object.mesh = std::make_shared<const TriangleMesh>(pictures().makeObject(request.object));
   }
   scene.objects.push_back(std::move(object));
   return scene;
@@ -89,8 +87,9 @@ void placeCamera(const SceneRequest& request, Scene& scene) {
     const auto at = numberListOption("--look-at", request.lookAt, 3, "0,0.5,0");
     target = {at[0], at[1], at[2]};
   }
-  scene.camera = cameraAround(target, bounds.radius, request.azimuth.value_or(preset.azimuth),
-                              request.elevation.value_or(preset.elevation), request.viewAngle.value_or(30),
+  scene.camera = cameraAround(target, bounds.radius * (request.ground ? kGroundMargin : 1),
+                              request.azimuth.value_or(preset.azimuth), request.elevation.value_or(preset.elevation),
+                              request.viewAngle.value_or(30),
                               static_cast<double>(scene.width) / static_cast<double>(scene.height));
 }
 

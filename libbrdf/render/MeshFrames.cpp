@@ -66,6 +66,29 @@ std::size_t removeDegenerateTriangles(TriangleMesh& mesh) {
   return std::erase_if(mesh.triangles, flat);
 }
 
+void settleNormals(TriangleMesh& mesh) {
+  if (mesh.normals.size() != mesh.points.size()) return;
+  const auto flat = [&](const std::array<std::uint32_t, 3>& t) {
+    return cross(between(mesh.points[t[0]], mesh.points[t[1]]), between(mesh.points[t[0]], mesh.points[t[2]]));
+  };
+  const auto zero = [](const Direction& n) { return !(dot(n, n) > 0); };
+  if (std::ranges::any_of(mesh.normals, zero)) {
+    std::vector<Direction> sums(mesh.points.size());
+    for (const auto& triangle : mesh.triangles)
+      for (const std::uint32_t corner : triangle)
+        for (std::size_t k = 0; k < 3; ++k) sums[corner][k] += flat(triangle)[k];
+    for (std::size_t i = 0; i < sums.size(); ++i)
+      if (zero(mesh.normals[i])) mesh.normals[i] = zero(sums[i]) ? Direction{0, 1, 0} : sums[i];
+  }
+  for (Direction& n : mesh.normals) n = normalized(n);
+  for (auto& triangle : mesh.triangles) {
+    Direction sum{};
+    for (const std::uint32_t corner : triangle)
+      for (std::size_t k = 0; k < 3; ++k) sum[k] += mesh.normals[corner][k];
+    if (dot(flat(triangle), sum) < 0) std::swap(triangle[1], triangle[2]);
+  }
+}
+
 void addTangents(TriangleMesh& mesh) {
   if (!mesh.tangents.empty() || mesh.normals.size() != mesh.points.size()) return;
   std::vector<Direction> wanted(mesh.points.size());

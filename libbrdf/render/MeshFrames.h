@@ -8,6 +8,10 @@ namespace brdf {
 /// Points stay.
 BRDF_EXPORT std::size_t removeDegenerateTriangles(TriangleMesh& mesh);
 
+/// Makes the normals of a mesh unit (where one is zero, the mean of its triangles' takes its place) and turns the
+/// corners of triangles around that face against their normals: front and back are told by the corners.
+BRDF_EXPORT void settleNormals(TriangleMesh& mesh);
+
 /// Gives a mesh with normals its tangents, unit and across the normals, where it has none: what both renderers use.
 /// With texture coordinates they point to where u grows: dp/du of each triangle (E. Lengyel 2001, "Computing Tangent
 /// Space Basis Vectors for an Arbitrary Mesh", Terathon Software), its parts at a point weighted by the angles of the

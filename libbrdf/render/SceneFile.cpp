@@ -136,7 +136,7 @@ SceneBackground sceneBackground(const JsonObject& entry, const std::filesystem::
 }
 
 /// The camera's place, given outright or by how it stands to the objects.
-SceneCamera sceneCamera(const JsonObject& entry, const Scene& scene) {
+SceneCamera sceneCamera(const JsonObject& entry, const Scene& scene, bool ground) {
   SceneCamera camera;
   const double viewAngle = entry.number("view_angle", camera.viewAngle);
   const bool around = entry.has("preset") || entry.has("azimuth") || entry.has("elevation");
@@ -146,9 +146,9 @@ SceneCamera sceneCamera(const JsonObject& entry, const Scene& scene) {
       entry.fail("angle of view out of range", "view_angle", formatNumber(viewAngle), "above 0 and below 180 degrees");
     const CameraPreset& preset = cameraPreset(entry.text("preset", "front"));
     const SceneBounds bounds = sceneBounds(scene);
-    camera = cameraAround(entry.triple("target", bounds.center), bounds.radius, entry.number("azimuth", preset.azimuth),
-                          entry.number("elevation", preset.elevation), viewAngle,
-                          static_cast<double>(scene.width) / static_cast<double>(scene.height));
+    camera = cameraAround(entry.triple("target", bounds.center), bounds.radius * (ground ? kGroundMargin : 1),
+                          entry.number("azimuth", preset.azimuth), entry.number("elevation", preset.elevation),
+                          viewAngle, static_cast<double>(scene.width) / static_cast<double>(scene.height));
   } else {
     camera.position = entry.triple("position", camera.position);
     camera.target = entry.triple("target", camera.target);
@@ -180,7 +180,7 @@ Scene readScene(const std::filesystem::path& path, const SceneReaders& readers) 
     }
   for (const JsonObject& entry : file.objects("objects"))
     scene.objects.push_back(sceneObject(entry, path, readers, materials));
-  if (const auto entry = file.object("camera")) scene.camera = sceneCamera(*entry, scene);
+  if (const auto entry = file.object("camera")) scene.camera = sceneCamera(*entry, scene, file.has("ground"));
   if (const auto entry = file.object("ground")) {
     addGround(scene, entry->has("material") ? scene.materials[materialIndex(*entry, materials)] : groundMaterial());
     entry->finish();

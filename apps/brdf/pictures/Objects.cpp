@@ -2,57 +2,26 @@
 
 #include <brdf/io/ImageFile.h>
 
+#include <vtkBRDFObjectSource.h>
 #include <vtkBRDFSurface.h>
 #include <vtkErrorCode.h>
 #include <vtkImageData.h>
 #include <vtkJPEGReader.h>
-#include <vtkOBJReader.h>
-#include <vtkPLYReader.h>
 #include <vtkPNGReader.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
-#include <vtkXMLPolyDataReader.h>
 
 #include <cmath>
 #include <filesystem>
 
 /// Things that scenes are made of, read by VTK.
 namespace brdf::app {
-namespace {
-
-template <class Reader>
-vtkSmartPointer<vtkPolyData> readWith(const std::string& path) {
-  vtkNew<Reader> reader;
-  reader->SetFileName(path.c_str());
-  reader->Update();
-  if (reader->GetOutput()->GetNumberOfPolys() + reader->GetOutput()->GetNumberOfStrips() == 0)
-    throw Error(Error::Kind::Format, {"no surface in the file", path, "0 polygons", "a mesh: .ply, .obj, .stl, .vtp"});
-  return reader->GetOutput();
-}
-
-/// The object to render; null for the sphere.
-vtkSmartPointer<vtkPolyData> readObject(const std::string& object) {
-  if (object == "sphere") return nullptr;
-  const std::string extension = std::filesystem::path(object).extension().string();
-  if (extension.empty())
-    throw Error(Error::Kind::Value,
-                {"unknown object", "--object", "'" + object + "'", "sphere, or a file: .ply, .obj, .stl, .vtp"});
-  readFileHead(object, 1);  // says what is wrong with a missing or unreadable file
-  if (extension == ".ply") return readWith<vtkPLYReader>(object);
-  if (extension == ".obj") return readWith<vtkOBJReader>(object);
-  if (extension == ".stl") return readWith<vtkSTLReader>(object);
-  if (extension == ".vtp") return readWith<vtkXMLPolyDataReader>(object);
-  throw Error(Error::Kind::Value, {"unknown kind of object", object, extension, ".ply, .obj, .stl, .vtp"});
-}
-
-}  // namespace
-
-TriangleMesh readMesh(const std::string& path) {
-  return vtkBRDFSurface::ToMesh(vtkBRDFSurface::Complete(readObject(path)));
-}
-
-TriangleMesh makeShape(const std::string& name) {
-  throw Error(Error::Kind::Value, {"unknown object", "", "'" + name + "'", "sphere, or a file"});
+TriangleMesh makeObject(const std::string& object) {
+  vtkNew<vtkBRDFObjectSource> source;
+  source->SetObject(object);
+  source->Update();
+  if (const std::string reason = source->GetErrorText(); !reason.empty())
+    throw Error(Error::Kind::Value, {reason, "", "", ""});
+  return vtkBRDFSurface::ToMesh(source->GetOutput());
 }
 
 Image readPicture(const std::string& path) {

@@ -19,8 +19,7 @@ namespace brdf::app {
 void drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
 FrameDrawer frameDrawer();
-TriangleMesh readMesh(const std::string& path);
-TriangleMesh makeShape(const std::string& name);
+TriangleMesh makeObject(const std::string& object);
 Image readPicture(const std::string& path);
 void writeRadiancePng(const Image& radiance, const RenderPicture& request, const std::string& path);
 void drawAudit(const AuditPicture& request);
