@@ -170,13 +170,16 @@ void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double ra
 
 Color PaletteColor(std::size_t index)
 {
-  static const std::array<Color, 7> colors = { { { 0.00, 0.45, 0.70 },
+  static const std::array<Color, 10> colors = { { { 0.00, 0.45, 0.70 },
                                                  { 0.80, 0.40, 0.00 },
                                                  { 0.00, 0.62, 0.45 },
                                                  { 0.80, 0.60, 0.70 },
                                                  { 0.35, 0.70, 0.90 },
                                                  { 0.90, 0.60, 0.00 },
-                                                 { 0.95, 0.90, 0.25 } } };
+                                                 { 0.95, 0.90, 0.25 },
+                                                 { 0.50, 0.50, 0.50 },
+                                                 { 0.38, 0.15, 0.45 },
+                                                 { 0.45, 0.20, 0.10 } } };
   return colors[index % colors.size()];
 }
 

@@ -68,7 +68,7 @@ void AddImage(vtkRenderer* renderer, vtkImageData* image, Point low, Point high)
 void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double radius, const Color& color);
 
 /** Material number `index` of an overlay: seven colours that the colour-blind tell apart (Okabe and Ito 2008, "Color
- * Universal Design", without black), then again from the first. */
+ * Universal Design", without black), then grey, a dark violet and a dark brown, then again from the first. */
 Color PaletteColor(std::size_t index);
 
 /** Viridis (van der Walt and Smith, matplotlib 2015; CC0) at t in [0, 1]: lightness grows evenly. */

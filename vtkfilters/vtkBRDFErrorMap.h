@@ -3,18 +3,34 @@
 #include "vtkBRDFAlgorithm.h"
 #include "vtkBRDFFiltersModule.h" // For export macro
 
+#include <memory> // For std::unique_ptr
 #include <string> // For std::string
+#include <vector> // For std::vector
 
 class vtkImageData;
+class vtkTable;
+namespace brdf
+{
+class Distribution;
+struct ErrorMap;
+}
 
 /**
  * @class vtkBRDFErrorMap
- * @brief Where two BRDFs differ: a map over two angles
+ * @brief Where two BRDFs differ: a map over two angles, how often, and the worst directions
  *
- * Input port 0 is A (a fit, say), port 1 is B (the reference). The output is an image whose points lie at
- * round angles, in degrees, 0 to 90 along both axes. Point data: "error", the mean over the angles within half an
- * interval of the point (the active scalar), and "count", the pairs of directions times channels there; where it is 0
- * there is no value.
+ * Input port 0 is A (a fit, say), port 1 is B (the reference).
+ *
+ * Output port 0 is an image whose points lie at round angles in degrees, or over the hemisphere's disk from -1 to 1
+ * along both axes. Point data: "error", the average over the pairs of directions within half an interval of the point
+ * (the active scalar), "count", the pairs there times channels (where it is 0 there is no value), and for several
+ * channels "channel_error", one component each.
+ *
+ * Output port 1 is a table of the errors of single pairs, one row a bin: "low", "high", "count" and "share" (of all
+ * pairs by the solid angles that they stand for; 1 in all). The first bin holds what is smaller, too.
+ *
+ * Output port 2 is a table of the worst pairs, the worst first, at most one a point of the map: "error", "theta_i",
+ * "phi_i", "theta_o", "phi_o" (degrees), "a_0".. and "b_0".. (1/sr, one a channel), "x" and "y" (on the map).
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFErrorMap : public vtkBRDFAlgorithm
 {
@@ -24,22 +40,46 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkImageData* GetOutput();
+  vtkTable* GetHistogram();
+  vtkTable* GetWorst();
 
   ///@{
-  /** "difference" (A - B, 1/sr), "absolute" (1/sr, default), "relative" (to B), "log" (of ln(1 + f cos theta_i)) or
-   * "cuberoot" (of the cube root of f cos theta_i). */
+  /** A metric of brdf::findMetric, as `brdf compare` knows them ("rms", "log", "cuberoot", "relative:0.01"...), or
+   * "difference" or "absolute" (default), short for the signed and the absolute mean of "rms". */
   vtkSetMacro(Measure, std::string);
   vtkGetMacro(Measure, std::string);
   ///@}
 
   ///@{
-  /** "theta_i,theta_o" (default) or "theta_h,theta_d". */
+  /** How the residuals of the metric become one number: "rms", "absolute" (mean magnitude), "signed" (mean), or
+   * "automatic" (default): "rms" where the measure is a metric. */
+  vtkSetMacro(Average, std::string);
+  vtkGetMacro(Average, std::string);
+  ///@}
+
+  ///@{
+  /** "theta_i,theta_o" (default), "theta_h,theta_d", "theta_d,phi_d", or "hemisphere": the view directions of one
+   * incident direction. */
   vtkSetMacro(Axes, std::string);
   vtkGetMacro(Axes, std::string);
   ///@}
 
   ///@{
-  /** "luminance" (default), "rgb", a channel number from 0, or a wavelength such as "550nm". */
+  /** Of the hemisphere: the incident direction, polar angle [0, 90) (default 45) and azimuth (default 0), degrees; the
+   * disk, "equal-area" (default: r = sqrt(2) sin(theta / 2)) or "orthographic" (r = sin(theta)); and how far a sample's
+   * incident direction may lie from it where samples are compared (default 2.5 degrees). */
+  vtkSetMacro(ThetaI, double);
+  vtkGetMacro(ThetaI, double);
+  vtkSetMacro(PhiI, double);
+  vtkGetMacro(PhiI, double);
+  vtkSetMacro(Projection, std::string);
+  vtkGetMacro(Projection, std::string);
+  vtkSetMacro(SampleAngle, double);
+  vtkGetMacro(SampleAngle, double);
+  ///@}
+
+  ///@{
+  /** "luminance" (default), "rgb", "all" (their own), a channel number from 0, or a wavelength such as "550nm". */
   vtkSetMacro(Channel, std::string);
   vtkGetMacro(Channel, std::string);
   ///@}
@@ -57,8 +97,8 @@ public:
   ///@}
 
   ///@{
-  /** Intervals from 0 to 90 degrees along each axis, 1 to 1000; default 90. SuggestIntervals gives 45 on a table's
-   * samples and 9 on few scattered ones, so that enough of them meet in a point. */
+  /** Intervals along each axis, 1 to 1000; default 90. SuggestIntervals gives 45 on a table's samples and 9 on few
+   * scattered ones, so that enough of them meet in a point, and twice as many for the hemisphere. */
   vtkSetClampMacro(Intervals, int, 1, 1000);
   vtkGetMacro(Intervals, int);
   int SuggestIntervals();
@@ -71,20 +111,38 @@ public:
   ///@}
 
   ///@{
-  /** Compare on B's own samples where it has any, else on A's (default); off: always at chosen directions. */
-  vtkSetMacro(OnSamples, bool);
-  vtkGetMacro(OnSamples, bool);
-  vtkBooleanMacro(OnSamples, bool);
+  /** Where the two are compared: "samples" (B's own where it has any, else A's), "chosen" (at directions that the
+   * filter chooses), or "automatic" (default): samples where there are any, but chosen ones on the hemisphere. */
+  vtkSetMacro(Directions, std::string);
+  vtkGetMacro(Directions, std::string);
   ///@}
 
   ///@{
-  /** Of the last execution: the mean over everything counted, the largest absolute value of a point, the quantity with
-   * its unit, and where the directions came from. */
+  /** How many of the worst pairs port 2 has at most, default 10, and how many bins port 1, default 60. */
+  vtkSetClampMacro(NumberOfWorst, int, 0, 10000);
+  vtkGetMacro(NumberOfWorst, int);
+  vtkSetClampMacro(NumberOfBins, int, 1, 10000);
+  vtkGetMacro(NumberOfBins, int);
+  ///@}
+
+  ///@{
+  /** Of the last execution: the average over everything counted, the same for channel `index` alone, the largest
+   * absolute value of a point, the quantity with its unit, that of a single pair, where the directions came from, the
+   * pairs compared, and those left out because A or B has no value there. */
   double GetOverallMean() const { return this->OverallMean; }
+  int GetNumberOfChannels() const;
+  double GetChannelMean(int index) const;
   double GetLargest() const { return this->Largest; }
   std::string GetQuantity() const { return this->Quantity; }
+  std::string GetPairQuantity() const { return this->PairQuantity; }
   std::string GetSampling() const { return this->Sampling; }
+  vtkIdType GetNumberOfPairs() const { return this->NumberOfPairs; }
+  vtkIdType GetNumberLeftOut() const { return this->NumberLeftOut; }
+  bool IsSigned() const { return this->Signed; }
   ///@}
+
+  /** The error that `share` (0 to 1) of the pairs, by weight, do not exceed. 0 when there are none. */
+  double GetQuantile(double share) const;
 
 protected:
   vtkBRDFErrorMap();
@@ -99,18 +157,35 @@ private:
   vtkBRDFErrorMap(const vtkBRDFErrorMap&) = delete;
   void operator=(const vtkBRDFErrorMap&) = delete;
 
+  void FillImage(vtkInformationVector* outputs, const brdf::ErrorMap& map);
+  void FillHistogram(vtkInformationVector* outputs, const brdf::ErrorMap& map);
+  void FillWorst(vtkInformationVector* outputs, const brdf::ErrorMap& map);
+
   std::string Measure = "absolute";
+  std::string Average = "automatic";
   std::string Axes = "theta_i,theta_o";
+  double ThetaI = 45;
+  double PhiI = 0;
+  std::string Projection = "equal-area";
+  double SampleAngle = 2.5;
   std::string Channel = "luminance";
   std::string Illuminant;
   std::string Observer = "2";
   std::string Adaptation = "bradford";
   int Intervals = 90;
   int Azimuths = 36;
-  bool OnSamples = true;
+  std::string Directions = "automatic";
+  int NumberOfWorst = 10;
+  int NumberOfBins = 60;
   double OverallMean = 0;
   double Largest = 0;
+  bool Signed = false;
+  vtkIdType NumberOfPairs = 0;
+  vtkIdType NumberLeftOut = 0;
   std::string Quantity;
+  std::string PairQuantity;
   std::string Sampling;
+  std::vector<double> ChannelMeans;
+  std::unique_ptr<brdf::Distribution> Errors;
 };
 #endif

@@ -1,16 +1,20 @@
 #include "vtkBRDFErrorMapView.h"
 
 #include "vtkAlgorithmOutput.h"
-#include "vtkBRDF.h"
+#include "vtkBRDFColorScale.h"
 #include "vtkBRDFDrawing.h"
 #include "vtkBRDFErrorMap.h"
+#include "vtkBRDFErrorMapText.h"
+#include "vtkBRDFLobeScene.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
+#include "vtkTable.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/view/ErrorAxes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,31 +29,21 @@ vtkBRDFErrorMapView::~vtkBRDFErrorMapView() = default;
 struct vtkBRDFErrorMapView::Layout
 {
   double Width, Height;
-  int Text;      // pixels
-  Point Low;     // of the map
-  double Side;   // of the map, a square
-  double BarLow; // x of the scale bar
-  double BarWidth;
-
-  double X(double degrees) const { return this->Low[0] + degrees / 90 * this->Side; }
-  double Y(double degrees) const { return this->Low[1] + degrees / 90 * this->Side; }
-};
-
-struct vtkBRDFErrorMapView::ColorScale
-{
-  bool Signed = false;
+  int Text;                                     // pixels
+  Point Low;                                    // of the map
+  double Side;                                  // of the map, a square
+  std::array<brdf::ErrorGrid::Range, 2> Ranges; // of the map's axes
+  ColorScale Scale;
   bool Logarithmic = false;
-  double Low = 0;
-  double High = 1;
 
-  double Position(double value) const
+  double X(double value) const
   {
-    const double t = this->Logarithmic
-                       ? std::log(std::max(value, this->Low) / this->Low) / std::log(this->High / this->Low)
-                       : (value - this->Low) / (this->High - this->Low);
-    return std::clamp(t, 0.0, 1.0);
+    return this->Low[0] + (value - this->Ranges[0].low) / (this->Ranges[0].high - this->Ranges[0].low) * this->Side;
   }
-  Color At(double t) const { return this->Signed ? Diverging(t) : Sequential(t); }
+  double Y(double value) const
+  {
+    return this->Low[1] + (value - this->Ranges[1].low) / (this->Ranges[1].high - this->Ranges[1].low) * this->Side;
+  }
 };
 
 vtkBRDFErrorMap* vtkBRDFErrorMapView::GetErrorMap()
@@ -67,87 +61,105 @@ void vtkBRDFErrorMapView::SetInputData(int index, vtkDataObject* brdf)
   this->ErrorMap->SetInputData(index, brdf);
 }
 
-vtkBRDFErrorMapView::ColorScale vtkBRDFErrorMapView::ChooseScale()
+bool vtkBRDFErrorMapView::IsDisk()
 {
-  if (this->Scale != "auto" && this->Scale != "linear" && this->Scale != "log")
+  return this->ErrorMap->GetAxes() == "hemisphere";
+}
+
+namespace
+{
+// Logarithmic where asked, or where the largest value is more than ten times the median.
+ColorScale ChooseScale(vtkBRDFErrorMap* map, const std::string& wanted, bool& logarithmic)
+{
+  if (wanted != "auto" && wanted != "linear" && wanted != "log")
   {
-    throw brdf::Error(brdf::Error::Kind::Value, { "unknown scale", "error map", this->Scale, "auto, linear, log" });
+    throw brdf::Error(brdf::Error::Kind::Value, { "unknown scale", "error map", wanted, "auto, linear, log" });
+  }
+  const double high = map->GetLargest() > 0 ? map->GetLargest() : 1;
+  if (map->IsSigned())
+  {
+    return SignedScale(high);
   }
   ColorScale scale;
-  scale.Signed = this->ErrorMap->GetMeasure() == "difference";
-  scale.High = this->ErrorMap->GetLargest() > 0 ? this->ErrorMap->GetLargest() : 1;
-  if (scale.Signed)
-  {
-    scale.Low = -scale.High;
-    return scale;
-  }
-  vtkPointData* data = this->ErrorMap->GetOutput()->GetPointData();
+  scale.High = high;
+  vtkDataArray* errors = map->GetOutput()->GetPointData()->GetScalars();
   std::vector<double> positive;
-  for (vtkIdType i = 0; i < data->GetScalars()->GetNumberOfTuples(); ++i)
+  for (vtkIdType i = 0; i < errors->GetNumberOfTuples(); ++i)
   {
-    if (data->GetScalars()->GetComponent(i, 0) > 0)
+    if (errors->GetComponent(i, 0) > 0)
     {
-      positive.push_back(data->GetScalars()->GetComponent(i, 0));
+      positive.push_back(errors->GetComponent(i, 0));
     }
   }
-  if (this->Scale == "linear" || positive.empty())
+  if (wanted == "linear" || positive.empty())
   {
     return scale;
   }
   std::sort(positive.begin(), positive.end());
-  if (this->Scale == "log" || scale.High > 10 * positive[positive.size() / 2])
+  if (wanted == "auto" && high <= 10 * positive[positive.size() / 2])
   {
-    scale.Logarithmic = true;
-    scale.Low = std::max(positive.front(), 1e-4 * scale.High);
-    if (!(scale.Low < scale.High))
-    {
-      scale.Low = scale.High / 10;
-    }
+    return scale;
   }
-  return scale;
+  logarithmic = true;
+  const double low = std::max(positive.front(), 1e-4 * high);
+  return LogarithmicScale(low < high ? low : high / 10, high);
+}
 }
 
-void vtkBRDFErrorMapView::AddMap(const Layout& layout, const ColorScale& scale)
+void vtkBRDFErrorMapView::AddMap(const Layout& layout)
 {
   vtkImageData* image = this->ErrorMap->GetOutput();
   vtkDataArray* error = image->GetPointData()->GetArray("error");
   vtkDataArray* count = image->GetPointData()->GetArray("count");
   const int nodes = image->GetDimensions()[0];
-  const double half = image->GetSpacing()[0] / 2;
+  const double cell = layout.Side / (nodes - 1);
   std::vector<Rectangle> squares;
   squares.reserve(static_cast<std::size_t>(nodes) * nodes);
+  const auto clipped = [&](double pixels) { return std::clamp(pixels, 0.0, layout.Side); };
   for (int y = 0; y < nodes; ++y)
   {
     for (int x = 0; x < nodes; ++x)
     {
       const vtkIdType i = static_cast<vtkIdType>(y) * nodes + x;
-      const Point low = { layout.X(std::max((2 * x - 1) * half, 0.0)), layout.Y(std::max((2 * y - 1) * half, 0.0)) };
-      const Point high = { layout.X(std::min((2 * x + 1) * half, 90.0)), layout.Y(std::min((2 * y + 1) * half, 90.0)) };
       if (count->GetComponent(i, 0) > 0)
       {
-        squares.push_back({ low, high, scale.At(scale.Position(error->GetComponent(i, 0))) });
+        squares.push_back({ { layout.Low[0] + clipped((x - 0.5) * cell), layout.Low[1] + clipped((y - 0.5) * cell) },
+                            { layout.Low[0] + clipped((x + 0.5) * cell), layout.Low[1] + clipped((y + 0.5) * cell) },
+                            layout.Scale.Of(error->GetComponent(i, 0)) });
       }
     }
   }
   AddRectangles(this->GetRenderer(), squares);
+}
 
-  // Diagonals, in quarter degrees, where a point has no value.
-  const auto empty = [&](double x, double y)
+// Diagonals where a point has no value.
+void vtkBRDFErrorMapView::AddHatch(const Layout& layout)
+{
+  vtkImageData* image = this->ErrorMap->GetOutput();
+  vtkDataArray* count = image->GetPointData()->GetArray("count");
+  const int nodes = image->GetDimensions()[0];
+  const bool disk = this->IsDisk();
+  const auto empty = [&](double x, double y) // shares of the side
   {
-    const auto node = [&](double degrees)
-    { return std::min(static_cast<int>((degrees + half) / (2 * half)), nodes - 1); };
+    if (disk && std::hypot(2 * x - 1, 2 * y - 1) > 1 - 1.5 / nodes)
+    {
+      return false;
+    }
+    const auto node = [&](double t) { return std::clamp(static_cast<int>(t * (nodes - 1) + 0.5), 0, nodes - 1); };
     return count->GetComponent(static_cast<vtkIdType>(node(y)) * nodes + node(x), 0) == 0;
   };
-  const double step = 0.25;
+  const int lines = 30, steps = 360;
   std::vector<Line> hatch;
-  for (int offset = -87; offset < 90; offset += 3)
+  for (int line = 1 - lines; line < lines; ++line)
   {
-    for (double x = std::max(offset, 0); x < std::min(offset + 90, 90); x += step)
+    const double offset = static_cast<double>(line) / lines;
+    for (int k = 0; k < steps; ++k)
     {
-      const double y = x - offset;
-      if (empty(x + step / 2, y + step / 2))
+      const double x = static_cast<double>(k) / steps, y = x - offset, step = 1.0 / steps;
+      if (y >= 0 && y + step <= 1 && empty(x + step / 2, y + step / 2))
       {
-        hatch.push_back({ { layout.X(x), layout.Y(y) }, { layout.X(x + step), layout.Y(y + step) } });
+        hatch.push_back({ { layout.Low[0] + x * layout.Side, layout.Low[1] + y * layout.Side },
+                          { layout.Low[0] + (x + step) * layout.Side, layout.Low[1] + (y + step) * layout.Side } });
       }
     }
   }
@@ -156,113 +168,199 @@ void vtkBRDFErrorMapView::AddMap(const Layout& layout, const ColorScale& scale)
 
 void vtkBRDFErrorMapView::AddAxes(const Layout& layout)
 {
-  const bool half = this->ErrorMap->GetAxes() == "theta_h,theta_d";
-  const double tick = layout.Text / 3.0;
-  std::vector<Line> lines = { { { layout.X(0), layout.Y(0) }, { layout.X(90), layout.Y(0) } },
-                              { { layout.X(0), layout.Y(90) }, { layout.X(90), layout.Y(90) } },
-                              { { layout.X(0), layout.Y(0) }, { layout.X(0), layout.Y(90) } },
-                              { { layout.X(90), layout.Y(0) }, { layout.X(90), layout.Y(90) } } };
-  for (int degrees = 0; degrees <= 90; degrees += 15)
+  const std::string axes = this->ErrorMap->GetAxes();
+  const char* names[2] = { "incident angle theta_i (degrees)", "outgoing angle theta_o (degrees)" };
+  if (axes == "theta_h,theta_d")
   {
-    lines.push_back({ { layout.X(degrees), layout.Y(0) - tick }, { layout.X(degrees), layout.Y(0) } });
-    lines.push_back({ { layout.X(0) - tick, layout.Y(degrees) }, { layout.X(0), layout.Y(degrees) } });
-    const std::string label = std::to_string(degrees) + "\u00b0";
-    AddText(this->GetRenderer(),
-            label,
-            { layout.X(degrees), layout.Y(0) - 1.6 * tick },
-            { .Size = layout.Text, .Horizontal = Align::Center, .Vertical = Align::High });
-    AddText(this->GetRenderer(),
-            label,
-            { layout.X(0) - 1.6 * tick, layout.Y(degrees) },
-            { .Size = layout.Text, .Horizontal = Align::High, .Vertical = Align::Center });
+    names[0] = "half angle theta_h (degrees)";
+    names[1] = "difference angle theta_d (degrees)";
+  }
+  else if (axes == "theta_d,phi_d")
+  {
+    names[0] = "difference angle theta_d (degrees)";
+    names[1] = "difference azimuth phi_d, or phi_d + 180 (degrees)";
+  }
+  const double tick = layout.Text / 3.0;
+  const Point low = layout.Low, high = { low[0] + layout.Side, low[1] + layout.Side };
+  std::vector<Line> lines = { { low, { high[0], low[1] } },
+                              { { low[0], high[1] }, high },
+                              { low, { low[0], high[1] } },
+                              { { high[0], low[1] }, high } };
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const int last = static_cast<int>(layout.Ranges[axis].high);
+    for (int degrees = 0; degrees <= last; degrees += last > 90 ? 30 : 15)
+    {
+      const std::string label = std::to_string(degrees) + "\u00b0";
+      const double x = axis == 0 ? layout.X(degrees) : low[0], y = axis == 0 ? low[1] : layout.Y(degrees);
+      lines.push_back({ { x - (axis == 0 ? 0 : tick), y - (axis == 0 ? tick : 0) }, { x, y } });
+      AddText(this->GetRenderer(),
+              label,
+              { x - (axis == 0 ? 0 : 1.6 * tick), y - (axis == 0 ? 1.6 * tick : 0) },
+              { .Size = layout.Text,
+                .Horizontal = axis == 0 ? Align::Center : Align::High,
+                .Vertical = axis == 0 ? Align::High : Align::Center });
+    }
   }
   AddLines(this->GetRenderer(), lines, Ink, LineWidth(layout.Text));
   AddText(this->GetRenderer(),
-          half ? "half angle theta_h (degrees)" : "incident angle theta_i (degrees)",
-          { layout.X(45), layout.Y(0) - 2.2 * layout.Text },
+          names[0],
+          { (low[0] + high[0]) / 2, low[1] - 2.2 * layout.Text },
           { .Size = layout.Text, .Horizontal = Align::Center, .Vertical = Align::High });
   AddText(this->GetRenderer(),
-          half ? "difference angle theta_d (degrees)" : "outgoing angle theta_o (degrees)",
-          { layout.X(0) - 3.2 * layout.Text, layout.Y(45) },
+          names[1],
+          { low[0] - 3.2 * layout.Text, (low[1] + high[1]) / 2 },
           { .Size = layout.Text, .Horizontal = Align::Center, .Vertical = Align::Low, .Angle = 90 });
 }
 
-void vtkBRDFErrorMapView::AddScaleBar(const Layout& layout, const ColorScale& scale)
+// Rings of polar angle, spokes of azimuth, the light and the mirror direction.
+void vtkBRDFErrorMapView::AddDiskGrid(const Layout& layout)
 {
-  const int steps = 256;
-  std::vector<Rectangle> strips;
-  for (int i = 0; i < steps; ++i)
+  vtkRenderer* renderer = this->GetRenderer();
+  const brdf::DiskProjection projection = brdf::parseDiskProjection(this->ErrorMap->GetProjection());
+  const auto at = [&](double theta, double phi)
   {
-    strips.push_back({ { layout.BarLow, layout.Y(90.0 * i / steps) },
-                       { layout.BarLow + layout.BarWidth, layout.Y(90.0 * (i + 1) / steps) },
-                       scale.At((i + 0.5) / steps) });
-  }
-  AddRectangles(this->GetRenderer(), strips);
-  const double right = layout.BarLow + layout.BarWidth;
-  std::vector<Line> lines = { { { layout.BarLow, layout.Y(0) }, { right, layout.Y(0) } },
-                              { { layout.BarLow, layout.Y(90) }, { right, layout.Y(90) } },
-                              { { layout.BarLow, layout.Y(0) }, { layout.BarLow, layout.Y(90) } },
-                              { { right, layout.Y(0) }, { right, layout.Y(90) } } };
-  const std::vector<double> ticks =
-    scale.Logarithmic ? LogarithmicTicks(scale.Low, scale.High) : LinearTicks(scale.Low, scale.High, 8);
-  for (double value : ticks)
+    const double r = brdf::diskRadius(projection, brdf::radians(theta));
+    return Point{ layout.X(r * std::cos(brdf::radians(phi))), layout.Y(r * std::sin(brdf::radians(phi))) };
+  };
+  std::vector<Line> weak, rim;
+  for (int theta = 15; theta <= 90; theta += 15)
   {
-    const double y = layout.Y(90 * scale.Position(value));
-    lines.push_back({ { right, y }, { right + layout.Text / 3.0, y } });
-    AddText(this->GetRenderer(),
-            NumberText(value),
-            { right + layout.Text / 2.0, y },
-            { .Size = layout.Text, .Vertical = Align::Center });
+    for (int phi = 0; phi < 360; phi += 3)
+    {
+      (theta == 90 ? rim : weak).push_back({ at(theta, phi), at(theta, phi + 3) });
+    }
+    if (theta % 30 == 0 && theta < 90)
+    {
+      AddText(renderer,
+              std::to_string(theta) + "\u00b0",
+              at(theta, 105),
+              { .Size = layout.Text * 9 / 10, .Horizontal = Align::Center, .Vertical = Align::Center });
+    }
   }
-  AddLines(this->GetRenderer(), lines, Ink, LineWidth(layout.Text));
+  for (int phi = 0; phi < 360; phi += 30)
+  {
+    weak.push_back({ at(0, phi), at(90, phi) });
+    const Point edge = at(90, phi), center = at(0, 0);
+    const double away = 1 + 1.3 * layout.Text / (layout.Side / 2);
+    AddText(renderer,
+            (phi == 0 ? "phi = 0" : std::to_string(phi)) + "\u00b0",
+            { center[0] + away * (edge[0] - center[0]), center[1] + away * (edge[1] - center[1]) },
+            { .Size = layout.Text * 9 / 10,
+              .Horizontal = phi == 0 ? Align::Low : Align::Center,
+              .Vertical = Align::Center,
+              .Foreground = Faint });
+  }
+  AddLines(renderer, weak, Hatch, 0.7 * LineWidth(layout.Text));
+  AddLines(renderer, rim, Ink, 2 * LineWidth(layout.Text));
+  const double theta = this->ErrorMap->GetThetaI(), phi = this->ErrorMap->GetPhiI();
+  const Point light = at(theta, phi), mirror = at(theta, phi + 180);
+  AddDots(renderer, { light, mirror }, 0.42 * layout.Text, Ink);
+  AddDots(renderer, { light }, 0.3 * layout.Text, vtkBRDFLobeScene::LightColor);
+  AddDots(renderer, { mirror }, 0.3 * layout.Text, { 1, 1, 1 });
 }
 
-void vtkBRDFErrorMapView::AddTitles(const Layout& layout, const ColorScale& scale)
+void vtkBRDFErrorMapView::AddWorst(const Layout& layout)
+{
+  vtkTable* table = this->ErrorMap->GetWorst();
+  const vtkIdType rows = this->ShowWorst ? table->GetNumberOfRows() : 0;
+  std::vector<Point> marks, labels;
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    marks.push_back(
+      { layout.X(table->GetValueByName(row, "x").ToDouble()), layout.Y(table->GetValueByName(row, "y").ToDouble()) });
+  }
+  AddDots(this->GetRenderer(), marks, 0.28 * layout.Text, Ink);
+  AddDots(this->GetRenderer(), marks, 0.18 * layout.Text, { 1, 1, 1 });
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    // Towards the map's middle, where there is room, and not on another number.
+    const Point mark = marks[row];
+    const double side = mark[0] > layout.Low[0] + layout.Side / 2 ? -1 : 1;
+    const Point at = { mark[0] + side * 0.8 * layout.Text, mark[1] };
+    const auto close = [&](const Point& other)
+    { return std::abs(other[0] - at[0]) < 1.3 * layout.Text && std::abs(other[1] - at[1]) < 0.95 * layout.Text; };
+    if (std::any_of(labels.begin(), labels.end(), close))
+    {
+      continue;
+    }
+    labels.push_back(at);
+    const double width = (row < 9 ? 0.65 : 1.25) * layout.Text;
+    AddRectangles(this->GetRenderer(),
+                  { { { at[0] - width / 2, at[1] - 0.5 * layout.Text },
+                      { at[0] + width / 2, at[1] + 0.5 * layout.Text },
+                      { 1, 1, 1 } } });
+    AddText(this->GetRenderer(),
+            std::to_string(row + 1),
+            at,
+            { .Size = layout.Text * 4 / 5, .Horizontal = Align::Center, .Vertical = Align::Center });
+  }
+}
+
+void vtkBRDFErrorMapView::AddTitles(const Layout& layout)
 {
   vtkBRDFErrorMap* map = this->ErrorMap;
-  vtkRenderer* renderer = this->GetRenderer();
-  const double left = layout.Text;
-  const auto described = [map](int port)
-  { return Rounded(vtkBRDF::SafeDownCast(map->GetInputDataObject(port, 0))->GetDescription()); };
-  AddText(renderer,
-          this->GetTitle().empty() ? "Where A differs from B: " + map->GetQuantity() : this->GetTitle(),
-          { left, layout.Height - layout.Text },
-          { .Size = layout.Text * 6 / 5, .Vertical = Align::High, .Bold = true });
-  AddText(renderer,
-          map->GetChannel() + ", " + map->GetSampling() + "; overall mean " + NumberText(map->GetOverallMean()) +
-            ", largest " + NumberText(map->GetLargest()) + (scale.Logarithmic ? "; logarithmic scale" : "") +
-            "; hatched: nothing to compare",
-          { left, layout.Height - 2.8 * layout.Text },
+  const auto letters = static_cast<std::size_t>(1.85 * (layout.Width - 2 * layout.Text) / layout.Text);
+  const std::string note = vtkBRDFErrorMapText::Note(map) + ", largest point " + NumberText(map->GetLargest()) +
+                           (layout.Logarithmic ? "; logarithmic colours" : "");
+  AddHeading(this->GetRenderer(),
+             Shortened(this->GetTitle().empty() ? "Where A differs from B: " + map->GetQuantity() : this->GetTitle(),
+                       letters * 3 / 4),
+             Shortened(note, letters),
+             layout.Height - layout.Text,
+             layout.Text);
+  vtkBRDFErrorMapText::AddNames(this->GetRenderer(), map, this->NameA, this->NameB, layout.Text, letters);
+  std::string legend = this->ShowWorst && map->GetWorst()->GetNumberOfRows() > 0 ? "1, 2...: the worst directions" : "";
+  if (this->IsDisk())
+  {
+    legend = "light (yellow) at theta_i = " + NumberText(map->GetThetaI(), 4) +
+             "\u00b0, phi_i = " + NumberText(map->GetPhiI(), 4) + "\u00b0, mirror direction (white); " +
+             map->GetProjection() + (legend.empty() ? "" : "; " + legend);
+  }
+  AddText(this->GetRenderer(),
+          Shortened(legend + (legend.empty() ? "" : "; ") + "hatched: nothing to compare", letters),
+          { 1.0 * layout.Text, layout.Height - 4.4 * layout.Text },
           { .Size = layout.Text, .Vertical = Align::High, .Foreground = Faint });
-  const auto letters = static_cast<std::size_t>(1.85 * (layout.Width - 2 * left) / layout.Text);
-  AddText(renderer,
-          "A: " + Shortened(this->NameA.empty() ? described(0) : this->NameA, letters),
-          { left, 2.2 * layout.Text },
-          { .Size = layout.Text });
-  AddText(renderer,
-          "B: " + Shortened(this->NameB.empty() ? described(1) : this->NameB, letters),
-          { left, 0.8 * layout.Text },
-          { .Size = layout.Text });
+}
+
+vtkBRDFErrorMapView::Layout vtkBRDFErrorMapView::MakeLayout(int width, int height)
+{
+  Layout layout{};
+  layout.Width = width;
+  layout.Height = height;
+  layout.Text = TextSize(width, height);
+  const double below = (this->IsDisk() ? 6 : 8) * layout.Text, above = (this->IsDisk() ? 8 : 7) * layout.Text,
+               left = 6 * layout.Text, right = (this->IsDisk() ? 12 : 9) * layout.Text;
+  layout.Side = std::max(10.0, std::min(width - left - right, height - below - above));
+  layout.Low = { left + std::max(0.0, (width - left - right - layout.Side) / 2), below };
+  layout.Ranges = brdf::ErrorGrid{ .axes = brdf::parseErrorAxes(this->ErrorMap->GetAxes()) }.ranges();
+  layout.Scale = ChooseScale(this->ErrorMap, this->Scale, layout.Logarithmic);
+  return layout;
 }
 
 void vtkBRDFErrorMapView::Build(int width, int height)
 {
   this->ErrorMap->SetIntervals(this->Intervals > 0 ? this->Intervals : this->ErrorMap->SuggestIntervals());
   UpdateOrThrow(this->ErrorMap);
-  Layout layout{};
-  layout.Width = width;
-  layout.Height = height;
-  layout.Text = TextSize(width, height);
-  const double below = 8 * layout.Text, above = 5.5 * layout.Text, left = 6 * layout.Text, right = 9 * layout.Text;
-  layout.Side = std::max(10.0, std::min(width - left - right, height - below - above));
-  layout.Low = { left + std::max(0.0, (width - left - right - layout.Side) / 2), below };
-  layout.BarLow = layout.X(90) + 2 * layout.Text;
-  layout.BarWidth = 1.5 * layout.Text;
-  const ColorScale scale = this->ChooseScale();
-  this->AddMap(layout, scale);
-  this->AddAxes(layout);
-  this->AddScaleBar(layout, scale);
-  this->AddTitles(layout, scale);
+  const Layout layout = this->MakeLayout(width, height);
+  this->AddMap(layout);
+  this->AddHatch(layout);
+  if (this->IsDisk())
+  {
+    this->AddDiskGrid(layout);
+  }
+  else
+  {
+    this->AddAxes(layout);
+  }
+  this->AddWorst(layout);
+  const double bar = layout.Low[0] + layout.Side + (this->IsDisk() ? 5 : 2) * layout.Text;
+  AddColorBar(this->GetRenderer(),
+              layout.Scale,
+              { bar, layout.Low[1] },
+              { bar + 1.5 * layout.Text, layout.Low[1] + layout.Side },
+              layout.Text);
+  this->AddTitles(layout);
 }
 
 void vtkBRDFErrorMapView::PrintSelf(ostream& os, vtkIndent indent)
@@ -271,5 +369,6 @@ void vtkBRDFErrorMapView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NameA: " << this->NameA << "\n"
      << indent << "NameB: " << this->NameB << "\n"
      << indent << "Intervals: " << this->Intervals << "\n"
-     << indent << "Scale: " << this->Scale << "\n";
+     << indent << "Scale: " << this->Scale << "\n"
+     << indent << "ShowWorst: " << this->ShowWorst << "\n";
 }

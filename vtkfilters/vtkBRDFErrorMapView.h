@@ -12,9 +12,11 @@ class vtkDataObject;
  * @class vtkBRDFErrorMapView
  * @brief A picture of where two BRDFs differ
  *
- * Draws the output of a vtkBRDFErrorMap: each point as a coloured square over two angles in degrees, a scale with the
- * quantity's unit, the means and the names of A and B. Magnitudes are in viridis, signed differences in blue to red
- * about zero; hatched is where there is nothing to compare.
+ * Draws the output of a vtkBRDFErrorMap: each point as a coloured square over two angles in degrees, or over the
+ * hemisphere as a disk seen from above with its grid of polar angle and azimuth, the light and the mirror direction; a
+ * scale with the quantity's unit, the means and the names of A and B. Magnitudes are in viridis, signed differences in
+ * blue to red about zero; hatched is where there is nothing to compare. The worst directions are marked and numbered as
+ * in the filter's table of them.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFErrorMapView : public vtkBRDFView
 {
@@ -41,7 +43,7 @@ public:
   ///@}
 
   ///@{
-  /** Intervals of 90 degrees; 0 (default): as the data allow, see vtkBRDFErrorMap::SuggestIntervals. */
+  /** Intervals along each axis; 0 (default): as the data allow, see vtkBRDFErrorMap::SuggestIntervals. */
   vtkSetClampMacro(Intervals, int, 0, 1000);
   vtkGetMacro(Intervals, int);
   ///@}
@@ -51,6 +53,13 @@ public:
    * (default): log where the largest value is more than ten times the median. */
   vtkSetMacro(Scale, std::string);
   vtkGetMacro(Scale, std::string);
+  ///@}
+
+  ///@{
+  /** Mark the worst directions; default on. */
+  vtkSetMacro(ShowWorst, bool);
+  vtkGetMacro(ShowWorst, bool);
+  vtkBooleanMacro(ShowWorst, bool);
   ///@}
 
 protected:
@@ -63,17 +72,20 @@ private:
   void operator=(const vtkBRDFErrorMapView&) = delete;
 
   struct Layout;
-  struct ColorScale;
-  ColorScale ChooseScale();
-  void AddMap(const Layout& layout, const ColorScale& scale);
+  Layout MakeLayout(int width, int height);
+  bool IsDisk();
+  void AddMap(const Layout& layout);
+  void AddHatch(const Layout& layout);
   void AddAxes(const Layout& layout);
-  void AddScaleBar(const Layout& layout, const ColorScale& scale);
-  void AddTitles(const Layout& layout, const ColorScale& scale);
+  void AddDiskGrid(const Layout& layout);
+  void AddWorst(const Layout& layout);
+  void AddTitles(const Layout& layout);
 
   vtkNew<vtkBRDFErrorMap> ErrorMap;
   std::string NameA;
   std::string NameB;
   int Intervals = 0;
   std::string Scale = "auto";
+  bool ShowWorst = true;
 };
 #endif

@@ -11,16 +11,24 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/color/Colorimetry.h>
 #include <brdf/view/ChannelChoice.h>
 #include <brdf/view/LobeMesh.h>
 
 #include <algorithm>
+#include <cmath>
 
 vtkStandardNewMacro(vtkBRDFLobe);
-vtkBRDFLobe::vtkBRDFLobe() = default;
+
+vtkBRDFLobe::vtkBRDFLobe()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
 vtkBRDFLobe::~vtkBRDFLobe() = default;
 
 namespace
@@ -53,7 +61,7 @@ void Fill(vtkPolyData* output, const brdf::LobeMesh& mesh)
     {
       value->SetTypedComponent(i, c, mesh.values[c * count + i]);
     }
-    transformed->SetValue(i, mesh.radii[i]);
+    transformed->SetValue(i, mesh.lengths[i]);
     valid->SetValue(i, mesh.valid[i]);
     normals->SetTuple(i, mesh.normals[i].data());
   }
@@ -70,11 +78,57 @@ void Fill(vtkPolyData* output, const brdf::LobeMesh& mesh)
   output->GetPointData()->SetScalars(transformed);
   output->GetPointData()->SetNormals(normals);
 }
+
+// Linear sRGB at full brightness, as a display has it; grey where there is none.
+vtkSmartPointer<vtkUnsignedCharArray> TrueColors(const std::vector<double>& planar, vtkIdType count)
+{
+  auto colors = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  colors->SetName("rgb");
+  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const double rgb[3] = { planar[i], planar[count + i], planar[2 * count + i] };
+    const double largest = std::max({ rgb[0], rgb[1], rgb[2] });
+    for (int c = 0; c < 3; ++c)
+    {
+      const double encoded = largest > 0 ? brdf::encodeSrgb(rgb[c] / largest) : 0.5;
+      colors->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255 * std::clamp(encoded, 0.0, 1.0))));
+    }
+  }
+  return colors;
+}
+
+brdf::LobeShape ParseShape(const std::string& name)
+{
+  if (name == "value")
+  {
+    return brdf::LobeShape::Value;
+  }
+  if (name == "difference")
+  {
+    return brdf::LobeShape::Difference;
+  }
+  if (name == "displaced")
+  {
+    return brdf::LobeShape::Displaced;
+  }
+  throw brdf::Error(brdf::Error::Kind::Value, { "unknown shape", "lobe", name, "value, difference, displaced" });
+}
 }
 
 vtkPolyData* vtkBRDFLobe::GetOutput()
 {
   return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
+
+int vtkBRDFLobe::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
 }
 
 int vtkBRDFLobe::FillOutputPortInformation(int, vtkInformation* info)
@@ -85,19 +139,58 @@ int vtkBRDFLobe::FillOutputPortInformation(int, vtkInformation* info)
 
 int vtkBRDFLobe::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ChannelChoice choice = brdf::chooseChannels(
-    GetInputBrdf(inputs), this->Channel, brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation }));
+  const brdf::ColourSettings settings = brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
+  const brdf::BrdfPointer brdf = GetInputBrdf(inputs);
+  const brdf::ChannelChoice choice = brdf::chooseChannels(brdf, this->Channel, settings);
   brdf::LobeMeshOptions options;
   options.thetaI = brdf::radians(this->ThetaI);
   options.phiI = brdf::radians(this->PhiI);
-  options.transform = brdf::parseLobeTransform(this->Transform);
+  options.scale = { brdf::parseLobeTransform(this->Transform), this->Floor };
   options.weights = choice.weights;
   options.subdivisions = static_cast<unsigned>(this->Resolution); // a negative one is too large, and refused
   options.tolerance = this->Tolerance;
-  const brdf::LobeMesh mesh = brdf::makeLobeMesh(*choice.brdf, options);
-  this->MaximumLength = mesh.maximumRadius;
+  options.maximumTriangles = static_cast<std::size_t>(this->MaximumTriangles);
+  options.shape = ParseShape(this->Shape);
+  brdf::BrdfPointer other;
+  if (options.shape != brdf::LobeShape::Value)
+  {
+    other = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel, settings).brdf;
+  }
+  const brdf::LobeMesh mesh = brdf::makeLobeMesh(*choice.brdf, options, other.get());
+  this->MaximumLength = mesh.maximumLength;
+  this->ReferenceRadius = mesh.referenceRadius;
+  this->ChordError = mesh.chordError;
   vtkPolyData* output = vtkPolyData::GetData(outputs);
   Fill(output, mesh);
+  if (!this->Colour.empty())
+  {
+    const brdf::ChannelChoice seen =
+      brdf::chooseChannels(brdf, this->Colour == "true" ? "rgb" : this->Colour, settings);
+    std::vector<std::uint8_t> valid;
+    const std::vector<double> values =
+      brdf::valuesOverHemisphere(*seen.brdf, brdf::fromSpherical(options.thetaI, options.phiI), mesh.directions, valid);
+    const auto count = static_cast<vtkIdType>(mesh.vertexCount());
+    if (this->Colour == "true")
+    {
+      output->GetPointData()->AddArray(TrueColors(values, count));
+    }
+    else
+    {
+      vtkNew<vtkDoubleArray> colour;
+      colour->SetName("colour");
+      colour->SetNumberOfTuples(count);
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        double sum = 0;
+        for (std::size_t c = 0; c < seen.weights.size(); ++c)
+        {
+          sum += seen.weights[c] * values[c * count + i];
+        }
+        colour->SetValue(i, sum);
+      }
+      output->GetPointData()->AddArray(colour);
+    }
+  }
   output->GetFieldData()->ShallowCopy(vtkBRDF::GetData(inputs[0])->GetFieldData());
   return 1;
 }
@@ -109,7 +202,11 @@ void vtkBRDFLobe::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PhiI: " << this->PhiI << " degrees\n"
      << indent << "Resolution: " << this->Resolution << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"
+     << indent << "MaximumTriangles: " << this->MaximumTriangles << "\n"
+     << indent << "Shape: " << this->Shape << "\n"
      << indent << "Transform: " << this->Transform << "\n"
+     << indent << "Floor: " << this->Floor << "/sr\n"
+     << indent << "Colour: " << this->Colour << "\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"
      << indent << "Observer: " << this->Observer << "\n"
      << indent << "Adaptation: " << this->Adaptation << "\n"

@@ -13,11 +13,13 @@ class vtkPolyData;
  *
  * A geodesic hemisphere of view directions, each moved out to the transformed value: the distance from the origin says
  * how much light leaves that way. The mesh is refined where the surface bends and around the mirror and retro-reflected
- * directions, so that sharp lobes are not missed.
+ * directions, so that sharp lobes are not missed. With a second BRDF on input port 1 and another Shape it shows the
+ * signed difference of the two.
  *
- * Point data: "value" (f_r in 1/sr, one component a channel of the choice), "transformed" (the length, the active
- * scalar), "valid" (0 where the BRDF has no value: such points are in no triangle), "Normals". Field data of the input
- * is passed on.
+ * Point data: "value" (f_r in 1/sr, one component a channel of the choice; the first's less the second's for
+ * differences), "transformed" (the length, signed for differences; the active scalar), "valid" (0 where a BRDF has no
+ * value: such points are in no triangle), "Normals"; where Colour asks for it "colour" (f_r of a channel, 1/sr) or
+ * "rgb" (sRGB, 8 bits). Field data of the input is passed on.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFLobe : public vtkBRDFAlgorithm
 {
@@ -38,6 +40,14 @@ public:
   ///@}
 
   ///@{
+  /** What the distance from the origin stands for, T being the transform: "value" (default): T(f) of input 0;
+   * "difference": |T(f) - T(g)|, g being input 1; "displaced": R + T(f) - T(g), a hemisphere of radius R, the largest
+   * |T(f) - T(g)|, dented and raised. */
+  vtkSetMacro(Shape, std::string);
+  vtkGetMacro(Shape, std::string);
+  ///@}
+
+  ///@{
   /** Subdivisions of the starting octahedron: 0 to 9, default 5 (edges of 2.8 degrees). */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
@@ -51,16 +61,37 @@ public:
   ///@}
 
   ///@{
-  /** "none" (f_r, 1/sr), "cuberoot" (sr^-1/3) or "log" (ln(1 + f_r)). Default "none". */
+  /** Refinement stops before there are more, the largest errors first; default 200000. The starting mesh is always
+   * whole. */
+  vtkSetClampMacro(MaximumTriangles, int, 0, 10000000);
+  vtkGetMacro(MaximumTriangles, int);
+  ///@}
+
+  ///@{
+  /** "none" (f_r, 1/sr), "cuberoot" (sr^-1/3), "log" (ln(1 + f_r)), or "logfloor" (log10 of f_r over Floor, at least
+   * 0). Default "none". */
   vtkSetMacro(Transform, std::string);
   vtkGetMacro(Transform, std::string);
   ///@}
 
   ///@{
-  /** "luminance" (default), "rgb" (three values, the length is their luminance), a channel number from 0, or a
-   * wavelength such as "550nm". */
+  /** Where "logfloor" begins, 1/sr, above 0; default 1e-3, a third of a percent of a white diffuser. */
+  vtkSetMacro(Floor, double);
+  vtkGetMacro(Floor, double);
+  ///@}
+
+  ///@{
+  /** "luminance" (default), "rgb" (three values, the length is their luminance), "all" (its own, the length is their
+   * mean), a channel number from 0, or a wavelength such as "550nm". */
   vtkSetMacro(Channel, std::string);
   vtkGetMacro(Channel, std::string);
+  ///@}
+
+  ///@{
+  /** Colours to go with the surface, apart from its length: empty (default): none; "true": linear sRGB at full
+   * brightness; else a channel as above. */
+  vtkSetMacro(Colour, std::string);
+  vtkGetMacro(Colour, std::string);
   ///@}
 
   ///@{
@@ -75,12 +106,19 @@ public:
   vtkGetMacro(Adaptation, std::string);
   ///@}
 
-  /** The largest length of the last lobe, in the transform's unit. */
+  ///@{
+  /** Of the last lobe, in the transform's unit: the largest length (magnitude, for differences), the radius R of a
+   * displaced one (else 0), and the largest distance of the surface from an edge of the mesh that refinement saw, by
+   * share of the largest radius. */
   double GetMaximumLength() const { return this->MaximumLength; }
+  double GetReferenceRadius() const { return this->ReferenceRadius; }
+  double GetChordError() const { return this->ChordError; }
+  ///@}
 
 protected:
   vtkBRDFLobe();
   ~vtkBRDFLobe() override;
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -92,11 +130,17 @@ private:
   double PhiI = 0;
   int Resolution = 5;
   double Tolerance = 1e-3;
+  int MaximumTriangles = 200000;
+  std::string Shape = "value";
   std::string Transform = "none";
+  double Floor = 1e-3;
   std::string Channel = "luminance";
+  std::string Colour;
   std::string Illuminant;
   std::string Observer = "2";
   std::string Adaptation = "bradford";
   double MaximumLength = 0;
+  double ReferenceRadius = 0;
+  double ChordError = 0;
 };
 #endif

@@ -1,141 +1,63 @@
 #include "vtkBRDFLobeView.h"
 
-#include "vtkActor.h"
 #include "vtkAlgorithmOutput.h"
 #include "vtkBRDF.h"
+#include "vtkBRDFDirectionRepresentation.h"
+#include "vtkBRDFDirectionWidget.h"
 #include "vtkBRDFDrawing.h"
-#include "vtkBRDFLobe.h"
-#include "vtkBillboardTextActor3D.h"
+#include "vtkBRDFLobePlan.h"
+#include "vtkBRDFLobeScene.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
-#include "vtkCellArray.h"
-#include "vtkConeSource.h"
 #include "vtkDataArray.h"
-#include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegularPolygonSource.h"
 #include "vtkRenderWindow.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkRenderer.h"
-#include "vtkTextProperty.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Error.h>
-#include <brdf/color/Colorimetry.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/Brdf.h>
-#include <brdf/view/ChannelChoice.h>
-#include <brdf/view/LobeMesh.h>
 
 #include <algorithm>
 #include <cmath>
 
 using namespace vtkBRDFDrawing;
 using brdf::Direction;
-using brdf::fromSpherical;
-using brdf::kPi;
 using brdf::radians;
+using vtkBRDFLobeScene::Stage;
 
 vtkStandardNewMacro(vtkBRDFLobeView);
 
-struct vtkBRDFLobeView::Input
-{
-  std::string Name;
-  vtkSmartPointer<vtkBRDFLobe> Lobe;
-};
-
 namespace
 {
-constexpr Color LightColor = { 0.93, 0.66, 0.0 };
-constexpr double Lift = 0.004; // of lines above the disc
+// Room around a stage's centre, in radii of its disc: for the arrows' labels.
+constexpr double HalfWidth = 1.55;
+constexpr double HalfWidthWithoutNames = 1.2;
 
-vtkProperty* AddLine(vtkRenderer* renderer, const std::vector<Direction>& points, const Color& color, double width)
+void SetColors(vtkPolyData* surface, const char* array, const ColorScale& scale)
 {
-  vtkNew<vtkPoints> all;
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(static_cast<int>(points.size()));
-  for (const Direction& point : points)
-  {
-    cells->InsertCellPoint(all->InsertNextPoint(point.data()));
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(all);
-  data->SetLines(cells);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  actor->GetProperty()->LightingOff();
-  renderer->AddActor(actor);
-  return actor->GetProperty();
-}
-
-void AddLabel(vtkRenderer* renderer, const std::string& text, const Direction& at, int size, const Color& color)
-{
-  vtkNew<vtkBillboardTextActor3D> actor;
-  actor->SetInput(text.c_str());
-  actor->SetPosition(at[0], at[1], at[2]);
-  actor->GetTextProperty()->SetFontFamilyToArial();
-  actor->GetTextProperty()->SetFontSize(size);
-  actor->GetTextProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetTextProperty()->SetJustificationToCentered();
-  actor->GetTextProperty()->SetVerticalJustificationToCentered();
-  renderer->AddActor(actor);
-}
-
-Direction Scaled(const Direction& direction, double length)
-{
-  return { direction[0] * length, direction[1] * length, direction[2] * length };
-}
-
-void AddArrow(vtkRenderer* renderer, const Direction& from, const Direction& to, const Color& color, double width)
-{
-  const Direction along = brdf::normalized({ to[0] - from[0], to[1] - from[1], to[2] - from[2] });
-  const double head = 0.07;
-  AddLine(
-    renderer, { from, { to[0] - head * along[0], to[1] - head * along[1], to[2] - head * along[2] } }, color, width);
-  vtkNew<vtkConeSource> cone;
-  cone->SetResolution(24);
-  cone->SetHeight(head);
-  cone->SetRadius(head / 3.5);
-  cone->SetDirection(along.data());
-  cone->SetCenter(to[0] - head / 2 * along[0], to[1] - head / 2 * along[1], to[2] - head / 2 * along[2]);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(cone->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetAmbient(0.4);
-  renderer->AddActor(actor);
-}
-
-// The colour of each point's RGB value at full brightness.
-void ColorByValue(vtkPolyData* lobe)
-{
-  vtkDataArray* value = lobe->GetPointData()->GetArray("value");
+  vtkDataArray* values = surface->GetPointData()->GetArray(array);
   vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetName("color");
+  colors->SetName("shown");
   colors->SetNumberOfComponents(3);
-  colors->SetNumberOfTuples(value->GetNumberOfTuples());
-  for (vtkIdType i = 0; i < value->GetNumberOfTuples(); ++i)
+  colors->SetNumberOfTuples(values->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    double rgb[3];
-    value->GetTuple(i, rgb);
-    const double largest = std::max({ rgb[0], rgb[1], rgb[2] });
+    const Color color = scale.Of(values->GetComponent(i, 0));
     for (int c = 0; c < 3; ++c)
     {
-      const double encoded = largest > 0 ? brdf::encodeSrgb(rgb[c] / largest) : 0.5;
-      colors->SetValue(3 * i + c, static_cast<unsigned char>(std::lround(255 * encoded)));
+      colors->SetTypedComponent(i, c, static_cast<unsigned char>(std::lround(255 * color[c])));
     }
   }
-  lobe->GetPointData()->SetScalars(colors);
+  surface->GetPointData()->SetScalars(colors);
 }
+
 }
 
 vtkBRDFLobeView::vtkBRDFLobeView()
@@ -143,7 +65,10 @@ vtkBRDFLobeView::vtkBRDFLobeView()
 {
 }
 
-vtkBRDFLobeView::~vtkBRDFLobeView() = default;
+vtkBRDFLobeView::~vtkBRDFLobeView()
+{
+  this->EnableInteraction(nullptr);
+}
 
 void vtkBRDFLobeView::AddInputConnection(vtkAlgorithmOutput* brdf, const std::string& name)
 {
@@ -170,208 +95,329 @@ int vtkBRDFLobeView::GetNumberOfInputs() const
   return static_cast<int>(this->Inputs->size());
 }
 
+vtkBRDFDirectionWidget* vtkBRDFLobeView::GetDirectionWidget()
+{
+  return this->Widget;
+}
+
+void vtkBRDFLobeView::EnableInteraction(vtkRenderWindowInteractor* interactor)
+{
+  if (this->Widget)
+  {
+    this->Widget->RemoveAllObservers();
+    this->Widget->SetEnabled(0);
+    this->Widget->SetInteractor(nullptr);
+    this->Widget = nullptr;
+  }
+  this->CameraPlaced = false;
+  if (!interactor)
+  {
+    return;
+  }
+  this->SetRenderWindow(interactor->GetRenderWindow());
+  this->Widget = vtkSmartPointer<vtkBRDFDirectionWidget>::New();
+  this->Widget->SetInteractor(interactor);
+  this->Widget->SetDefaultRenderer(this->GetRenderer());
+  this->Widget->SetCurrentRenderer(this->GetRenderer());
+  vtkNew<vtkCallbackCommand> dragged;
+  dragged->SetClientData(this);
+  dragged->SetCallback(&vtkBRDFLobeView::Dragged);
+  this->Widget->AddObserver(vtkCommand::InteractionEvent, dragged);
+  this->Widget->AddObserver(vtkCommand::EndInteractionEvent, dragged);
+}
+
+void vtkBRDFLobeView::Dragged(vtkObject*, unsigned long event, void* view, void*)
+{
+  auto* self = static_cast<vtkBRDFLobeView*>(view);
+  const auto rounded = [](double degrees) { return std::round(10 * degrees) / 10; };
+  self->SetThetaI(std::clamp(rounded(self->Widget->GetTheta()), 0.0, 89.0));
+  self->SetPhiI(rounded(self->Widget->GetPhi()));
+  self->Moving = event == vtkCommand::InteractionEvent;
+  self->Render();
+}
+
+std::string vtkBRDFLobeView::ColourOfLobes() const
+{
+  return this->Colour != "auto" ? this->Colour : this->Channel == "rgb" ? "true" : "material";
+}
+
+bool vtkBRDFLobeView::IsColored(std::size_t input) const
+{
+  return !this->IsDifference() && this->ColourOfLobes() != "material" && (input == 0 || this->Layout == "side");
+}
+
+std::string vtkBRDFLobeView::NameOf(std::size_t input) const
+{
+  const Input& one = (*this->Inputs)[input];
+  return one.Name.empty() ? Rounded(one.Data()->GetDescription()) : one.Name;
+}
+
 double vtkBRDFLobeView::UpdateLobes()
 {
   double length = 0;
-  for (Input& input : *this->Inputs)
+  for (std::size_t i = 0; i < (this->IsDifference() ? 1 : this->Inputs->size()); ++i)
   {
-    input.Lobe->SetThetaI(this->ThetaI);
-    input.Lobe->SetPhiI(this->PhiI);
-    input.Lobe->SetTransform(this->Transform);
-    input.Lobe->SetChannel(this->Channel);
-    input.Lobe->SetIlluminant(this->Illuminant);
-    input.Lobe->SetObserver(this->Observer);
-    input.Lobe->SetAdaptation(this->Adaptation);
-    input.Lobe->SetResolution(this->Resolution);
-    input.Lobe->SetTolerance(this->Tolerance);
-    UpdateOrThrow(input.Lobe);
-    length = std::max(length, input.Lobe->GetMaximumLength());
+    vtkBRDFLobe* lobe = (*this->Inputs)[i].Lobe;
+    lobe->SetThetaI(this->ThetaI);
+    lobe->SetPhiI(this->PhiI);
+    lobe->SetTransform(this->Transform);
+    lobe->SetFloor(this->Floor);
+    lobe->SetChannel(this->Channel);
+    lobe->SetIlluminant(this->Illuminant);
+    lobe->SetObserver(this->Observer);
+    lobe->SetAdaptation(this->Adaptation);
+    lobe->SetResolution(this->Moving ? std::max(this->Resolution - 1, 0) : this->Resolution);
+    lobe->SetTolerance(this->Moving ? 8 * this->Tolerance : this->Tolerance);
+    lobe->SetShape(this->Shape);
+    lobe->SetInputConnection(1, this->IsDifference() ? (*this->Inputs)[1].Lobe->GetInputConnection(0, 0) : nullptr);
+    const std::string colour = this->ColourOfLobes();
+    lobe->SetColour(this->IsColored(i) && colour != "value" ? colour : "");
+    UpdateOrThrow(lobe);
+    length = std::max(length, lobe->GetMaximumLength() + lobe->GetReferenceRadius());
   }
-  if (this->Length > 0)
-  {
-    return this->Length;
-  }
-  return length > 0 ? length : 1;
+  return length;
 }
 
-void vtkBRDFLobeView::AddLobes(double length)
+vtkBRDFLobeView::Points vtkBRDFLobeView::FindSamples()
 {
-  for (std::size_t i = 0; i < this->Inputs->size(); ++i)
+  Points points;
+  if (!this->ShowSamples || this->IsDifference())
   {
-    vtkNew<vtkPolyData> surface;
-    surface->ShallowCopy((*this->Inputs)[i].Lobe->GetOutput());
-    const bool colored = i == 0 && this->Channel == "rgb";
-    if (colored)
-    {
-      ColorByValue(surface);
-    }
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(surface);
-    mapper->SetScalarVisibility(colored);
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->SetScale(1 / length);
-    const Color color = PaletteColor(i);
-    vtkProperty* property = actor->GetProperty();
-    property->SetColor(color[0], color[1], color[2]);
-    property->SetInterpolationToPhong();
-    property->SetAmbient(0.25);
-    property->SetDiffuse(0.75);
-    property->SetSpecular(0.15);
-    property->SetSpecularPower(30);
-    property->SetOpacity(i == 0 ? 1 : 0.45);
-    this->GetRenderer()->AddActor(actor);
-  }
-}
-
-void vtkBRDFLobeView::AddGround(int text)
-{
-  vtkRenderer* renderer = this->GetRenderer();
-  vtkNew<vtkRegularPolygonSource> disc;
-  disc->SetNumberOfSides(180);
-  disc->SetRadius(1);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(disc->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.94, 0.94, 0.95);
-  actor->GetProperty()->LightingOff();
-  renderer->AddActor(actor);
-
-  const double phiI = radians(this->PhiI);
-  const double line = LineWidth(text);
-  const auto circle = [](double radius, double height)
-  {
-    std::vector<Direction> points;
-    for (int k = 0; k <= 180; ++k)
-    {
-      points.push_back({ radius * std::cos(k * kPi / 90), radius * std::sin(k * kPi / 90), height });
-    }
     return points;
-  };
-  for (int theta = 15; theta <= 90; theta += 15)
-  {
-    const bool strong = theta % 30 == 0;
-    AddLine(renderer,
-            circle(std::sin(radians(theta)), Lift),
-            strong ? Color{ 0.6, 0.6, 0.63 } : Color{ 0.8, 0.8, 0.82 },
-            theta == 90 ? 1.5 * line : line);
   }
-  for (int phi = 0; phi < 360; phi += 30)
+  for (std::size_t i = 0; i < this->Inputs->size() && points.Measured == Points::None; ++i)
   {
-    const Direction rim = fromSpherical(kPi / 2, radians(phi));
-    AddLine(renderer, { { 0, 0, Lift }, { rim[0], rim[1], Lift } }, { 0.8, 0.8, 0.82 }, line);
-    AddLabel(renderer,
-             (phi == 0 ? "phi = 0" : std::to_string(phi)) + "\u00b0",
-             Scaled(rim, phi == 0 ? 1.14 : 1.08),
-             text * 9 / 10,
-             Faint);
-  }
-  // The half circle in the plane of incidence carries the polar angles.
-  std::vector<Direction> arc;
-  for (int k = -90; k <= 90; ++k)
-  {
-    arc.push_back(fromSpherical(radians(k), phiI));
-  }
-  AddLine(renderer, arc, { 0.6, 0.6, 0.63 }, line);
-  for (int theta = -75; theta <= 75; theta += 15)
-  {
-    const Direction at = fromSpherical(radians(theta), phiI);
-    AddLine(renderer, { Scaled(at, 0.985), Scaled(at, 1.015) }, { 0.6, 0.6, 0.63 }, line);
-    if (theta % 30 == 0 && std::abs(std::abs(theta) - this->ThetaI) > 6) // else the arrow's label says it
+    if ((*this->Inputs)[i].Data()->GetBrdf()->samples())
     {
-      AddLabel(renderer,
-               (theta == 0 ? "theta = 0" : std::to_string(std::abs(theta))) + "\u00b0",
-               Scaled(at, 1.07),
-               text * 9 / 10,
-               Faint);
+      points.Measured = i;
     }
   }
-}
-
-void vtkBRDFLobeView::AddDirections(int text)
-{
-  vtkRenderer* renderer = this->GetRenderer();
-  const Direction wi = fromSpherical(radians(this->ThetaI), radians(this->PhiI));
-  const Direction mirror = { -wi[0], -wi[1], wi[2] };
-  const std::string angle = NumberText(this->ThetaI, 6) + "\u00b0";
-  AddLine(renderer, { Scaled(wi, 1.1), { 0, 0, 0 } }, LightColor, 1.5 * LineWidth(text));
-  AddArrow(renderer, Scaled(wi, 1.32), Scaled(wi, 1.03), LightColor, 3 * LineWidth(text)); // its head outside the lobes
-  AddLabel(renderer, "light " + angle, Scaled(wi, 1.38), text, LightColor);
-  AddArrow(renderer, { 0, 0, 0 }, Scaled(mirror, 1.3), Faint, 1.5 * LineWidth(text));
-  AddLabel(renderer, "mirror " + angle, Scaled(mirror, 1.38), text, Faint);
-}
-
-void vtkBRDFLobeView::AddCaptions(int width, int height, double length)
-{
-  vtkRenderer* renderer = this->GetRenderer();
-  const int text = TextSize(width, height);
-  const std::string quantity = brdf::lobeTransformLabel(brdf::parseLobeTransform(this->Transform));
-  AddText(renderer,
-          this->GetTitle().empty() ? "Lobe length: " + quantity : this->GetTitle(),
-          { 1.0 * text, height - 1.0 * text },
-          { .Size = text * 6 / 5, .Vertical = Align::High, .Bold = true });
-  AddText(renderer,
-          this->Channel + "; theta_i = " + NumberText(this->ThetaI, 6) +
-            "\u00b0, phi_i = " + NumberText(this->PhiI, 6) + "\u00b0; rim and half circle: " + NumberText(length),
-          { 1.0 * text, height - 2.8 * text },
-          { .Size = text, .Vertical = Align::High, .Foreground = Faint });
-  const auto letters = static_cast<std::size_t>(1.85 * (width - 4 * text) / text);
-  double y = 0.8 * text + 1.5 * text * (static_cast<double>(this->Inputs->size()) - 1);
-  std::vector<Rectangle> keys;
-  for (std::size_t i = 0; i < this->Inputs->size(); ++i, y -= 1.5 * text)
+  if (points.Measured == Points::None)
   {
-    const Input& input = (*this->Inputs)[i];
-    const auto* brdf = vtkBRDF::SafeDownCast(input.Lobe->GetInputDataObject(0, 0));
-    const std::string largest = "  (largest " + NumberText(input.Lobe->GetMaximumLength()) + ")";
-    AddText(renderer,
-            Shortened(input.Name.empty() ? Rounded(brdf->GetDescription()) : input.Name, letters - largest.size()) +
-              largest,
-            { 2.6 * text, y },
-            { .Size = text });
-    const Point low = { 1.0 * text, y - 0.05 * text };
-    const Point high = { 2.0 * text, y + 0.85 * text };
-    keys.push_back({ low, high, PaletteColor(i) });
-    if (i == 0 && this->Channel == "rgb") // has its own colours
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "no samples to show", "lobe view", this->NameOf(0), "a measurement" });
+  }
+  points.Samples = vtkSmartPointer<vtkBRDFLobeSamples>::New();
+  points.Samples->SetInputConnection(0, (*this->Inputs)[points.Measured].Lobe->GetInputConnection(0, 0));
+  if (this->Inputs->size() > 1)
+  {
+    points.Model = points.Measured == 0 ? 1 : 0;
+    points.Samples->SetInputConnection(1, (*this->Inputs)[points.Model].Lobe->GetInputConnection(0, 0));
+  }
+  points.Samples->SetThetaI(this->ThetaI);
+  points.Samples->SetPhiI(this->PhiI);
+  points.Samples->SetWithin(this->SampleAngle);
+  points.Samples->SetTransform(this->Transform);
+  points.Samples->SetFloor(this->Floor);
+  points.Samples->SetChannel(this->Channel);
+  points.Samples->SetIlluminant(this->Illuminant);
+  points.Samples->SetObserver(this->Observer);
+  points.Samples->SetAdaptation(this->Adaptation);
+  UpdateOrThrow(points.Samples);
+  return points;
+}
+
+vtkBRDFLobeView::Frame vtkBRDFLobeView::MakeFrame(int width, int height, std::size_t stages, bool bar) const
+{
+  Frame frame{};
+  frame.Width = width;
+  frame.Height = height;
+  frame.Text = TextSize(width, height);
+  frame.Right = bar ? width - 8.0 * frame.Text : width;
+  frame.Top = height - 4.6 * frame.Text;
+  frame.Low = 0.6 * frame.Text;
+  if (stages > 1)
+  {
+    frame.NameHeight = 3.2 * frame.Text;
+  }
+  else
+  {
+    frame.LegendColumns = this->Inputs->size() > 4 ? 2 : 1;
+    frame.LegendRows = (this->Inputs->size() + frame.LegendColumns - 1) / frame.LegendColumns;
+    frame.Low += 1.5 * frame.Text * static_cast<double>(frame.LegendRows);
+  }
+  const double elevation = radians(this->CameraElevation);
+  const Direction from = brdf::fromSpherical(radians(90) - elevation, radians(this->PhiI + this->CameraAzimuth));
+  const double bottom = -1.2 * std::abs(std::sin(elevation));
+  const double top = std::max(1.45 * std::cos(elevation), -bottom);
+  frame.Middle = (bottom + top) / 2;
+  frame.RightWard = brdf::normalized({ -from[1], from[0], 0 });
+  frame.UpWard = brdf::cross(from, frame.RightWard);
+  // The numbers of columns that leaves the discs largest.
+  for (std::size_t columns = 1; columns <= stages; ++columns)
+  {
+    Frame tried = frame;
+    tried.Columns = columns;
+    tried.Rows = (stages + columns - 1) / columns;
+    const double high = (tried.StageHeight() - tried.NameHeight) / (top - bottom);
+    const double named = std::min(tried.StageWidth() / (2 * HalfWidth), high);
+    const double bare = std::min(tried.StageWidth() / (2 * HalfWidthWithoutNames), high);
+    const Stage stage = { nullptr, {}, frame.Text, named };
+    tried.PixelsPerRadius = std::max(1.0, stage.HasRoomForNames() ? named : std::min(bare, 4.0 * frame.Text));
+    if (columns == 1 || tried.PixelsPerRadius > frame.PixelsPerRadius * 1.001)
     {
-      keys.back() = { low, { low[0] + text / 3.0, high[1] }, { 0.85, 0.2, 0.2 } };
-      keys.push_back({ { low[0] + text / 3.0, low[1] }, { high[0] - text / 3.0, high[1] }, { 0.2, 0.65, 0.2 } });
-      keys.push_back({ { high[0] - text / 3.0, low[1] }, high, { 0.2, 0.3, 0.85 } });
+      frame = tried;
     }
   }
-  AddRectangles(renderer, keys);
+  return frame;
 }
 
-void vtkBRDFLobeView::PlaceCamera(int width, int height)
+void vtkBRDFLobeView::PlaceCamera(const Frame& frame)
 {
-  const Direction from = fromSpherical(radians(90 - this->CameraElevation), radians(this->PhiI + this->CameraAzimuth));
+  if (this->Widget && this->CameraPlaced)
+  {
+    return; // the user looks from where he likes
+  }
+  this->CameraPlaced = true;
+  const Point center = frame.Center(0);
+  const double x = (frame.Width / 2 - center[0]) / frame.PixelsPerRadius;
+  const double y = (frame.Height / 2 - center[1]) / frame.PixelsPerRadius + frame.Middle;
+  const Direction from = brdf::cross(frame.RightWard, frame.UpWard);
   vtkCamera* camera = this->GetRenderer()->GetActiveCamera();
-  const Direction focus = { 0, 0, 0.42 };
+  Direction focus{}, position{};
+  const double distance = 20;
+  for (int k = 0; k < 3; ++k)
+  {
+    focus[k] = x * frame.RightWard[k] + y * frame.UpWard[k];
+    position[k] = focus[k] + distance * from[k];
+  }
+  camera->SetParallelProjection(1);
+  camera->SetParallelScale(frame.Height / 2 / frame.PixelsPerRadius);
   camera->SetFocalPoint(focus.data());
-  const double distance = 6;
-  camera->SetPosition(focus[0] + distance * from[0], focus[1] + distance * from[1], focus[2] + distance * from[2]);
-  camera->SetViewUp(0, 0, 1);
-  const double halfHeight = std::max(1.12, 1.5 * height / width); // the arrows' labels reach 1.5 from the centre
-  camera->SetViewAngle(2 * brdf::degrees(std::atan(halfHeight / distance)));
-  camera->SetClippingRange(1, 20);
+  camera->SetPosition(position.data());
+  camera->SetViewUp(frame.UpWard.data());
+  camera->SetClippingRange(0.1, 2 * distance);
+}
+
+void vtkBRDFLobeView::AddLobe(const Plan& plan, std::size_t input, std::size_t stage)
+{
+  const Frame& frame = plan.Room;
+  vtkBRDFLobe* lobe = (*this->Inputs)[input].Lobe;
+  vtkNew<vtkPolyData> surface;
+  surface->ShallowCopy(lobe->GetOutput());
+  const bool colored = this->IsColored(input) || this->IsDifference();
+  if (colored && this->IsDifference())
+  {
+    SetColors(surface, "transformed", plan.Scale);
+  }
+  else if (colored && this->ColourOfLobes() == "true")
+  {
+    surface->GetPointData()->SetActiveScalars("rgb");
+  }
+  else if (colored)
+  {
+    SetColors(surface, this->ColourOfLobes() == "value" ? "transformed" : "colour", plan.Scale);
+  }
+  const Stage at = { this->GetRenderer(), frame.Origin(stage), frame.Text, frame.PixelsPerRadius };
+  vtkProperty* property = vtkBRDFLobeScene::AddSurface(at, surface, 1 / plan.Length, PaletteColor(input), colored);
+  if (colored && this->ColourOfLobes() != "true")
+  {
+    property->SetSpecular(0); // highlights are no value
+    property->SetAmbient(0.5);
+    property->SetDiffuse(0.5);
+  }
+  if (lobe->GetReferenceRadius() > 0)
+  {
+    vtkBRDFLobeScene::AddHemisphere(at, lobe->GetReferenceRadius() / plan.Length);
+  }
+  property->SetOpacity(plan.IsSideBySide() || input == plan.Drawn.front() ? 1 : 0.45);
+}
+
+void vtkBRDFLobeView::AddPoints(const Plan& plan)
+{
+  const Points& points = plan.Shown;
+  vtkNew<vtkPolyData> data;
+  data->ShallowCopy(points.Samples->GetOutput());
+  if (data->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  if (points.HasResiduals())
+  {
+    SetColors(data, "residual", plan.Scale);
+  }
+  const auto stageOf = [&](std::size_t input)
+  {
+    const auto found = std::find(plan.Drawn.begin(), plan.Drawn.end(), input);
+    return static_cast<std::size_t>(found - plan.Drawn.begin());
+  };
+  const std::size_t input = points.HasResiduals() ? points.Model : points.Measured;
+  const Frame& frame = plan.Room;
+  const Stage at = {
+    this->GetRenderer(), frame.Origin(plan.IsSideBySide() ? stageOf(input) : 0), frame.Text, frame.PixelsPerRadius
+  };
+  vtkBRDFLobeScene::AddPoints(at, data, 1 / plan.Length, Ink, points.HasResiduals());
 }
 
 void vtkBRDFLobeView::Build(int width, int height)
 {
+  using brdf::Error;
   if (this->Inputs->empty())
   {
-    throw brdf::Error(brdf::Error::Kind::Value, { "nothing to draw", "lobe view", "no BRDF", "one or more" });
+    throw Error(Error::Kind::Value, { "nothing to draw", "lobe view", "no BRDF", "one or more" });
   }
+  if (this->Layout != "overlay" && this->Layout != "side")
+  {
+    throw Error(Error::Kind::Value, { "unknown layout", "lobe view", this->Layout, "overlay, side" });
+  }
+  if (this->IsDifference() && this->Inputs->size() != 2)
+  {
+    throw Error(Error::Kind::Value,
+                { "a difference is of two BRDFs", "lobe view", std::to_string(this->Inputs->size()), "2" });
+  }
+  Plan plan;
   const double length = this->UpdateLobes();
-  const int text = TextSize(width, height);
+  plan.Shown = this->FindSamples();
+  for (std::size_t i = 0; i < (this->IsDifference() ? 1 : this->Inputs->size()); ++i)
+  {
+    if (!plan.Shown.Replace(i))
+    {
+      plan.Drawn.push_back(i);
+    }
+  }
+  plan.Length = std::max(length, plan.Shown.Samples ? plan.Shown.Samples->GetMaximumLength() : 0);
+  plan.Length = this->Length > 0 ? this->Length : plan.Length > 0 ? plan.Length : 1;
+  this->ChooseScale(plan);
+  plan.Room = this->MakeFrame(width, height, this->Layout == "side" ? plan.Drawn.size() : 1, plan.HasBar);
+
   vtkRenderer* renderer = this->GetRenderer();
   renderer->SetUseDepthPeeling(true);
   renderer->SetMaximumNumberOfPeels(8);
-  this->PlaceCamera(width, height);
-  this->AddGround(text);
-  this->AddLobes(length);
-  this->AddDirections(text);
-  this->AddCaptions(width, height, length);
+  this->PlaceCamera(plan.Room);
+  vtkBRDFLobeScene::SetLights(renderer);
+  for (std::size_t stage = 0; stage < plan.Room.Columns * plan.Room.Rows && stage < plan.Drawn.size(); ++stage)
+  {
+    const Stage at = { renderer, plan.Room.Origin(stage), plan.Room.Text, plan.Room.PixelsPerRadius };
+    vtkBRDFLobeScene::AddGround(at, this->ThetaI, this->PhiI);
+    vtkBRDFLobeScene::AddDirections(at, this->ThetaI, this->PhiI, !this->Widget || stage > 0);
+  }
+  for (std::size_t k = 0; k < plan.Drawn.size(); ++k)
+  {
+    this->AddLobe(plan, plan.Drawn[k], plan.IsSideBySide() ? k : 0);
+  }
+  if (plan.Shown.Samples)
+  {
+    this->AddPoints(plan);
+  }
+  if (this->Widget)
+  {
+    this->Widget->SetTheta(this->ThetaI);
+    this->Widget->SetPhi(this->PhiI);
+    this->Widget->SetEnabled(1);
+    renderer->AddViewProp(this->Widget->GetDirectionRepresentation());
+  }
+  this->AddCaptions(plan);
+  this->AddLegend(plan);
+  if (plan.HasBar)
+  {
+    const double text = plan.Room.Text, left = width - 6 * text;
+    AddColorBar(renderer,
+                plan.Scale,
+                { left, plan.Room.Low + 2 * text },
+                { left + text, plan.Room.Top - text },
+                plan.Room.Text,
+                plan.BarTitle);
+  }
 }
 
 void vtkBRDFLobeView::PrintSelf(ostream& os, vtkIndent indent)
@@ -380,7 +426,13 @@ void vtkBRDFLobeView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ThetaI: " << this->ThetaI << " degrees\n"
      << indent << "PhiI: " << this->PhiI << " degrees\n"
      << indent << "Transform: " << this->Transform << "\n"
+     << indent << "Floor: " << this->Floor << "/sr\n"
      << indent << "Channel: " << this->Channel << "\n"
+     << indent << "Colour: " << this->Colour << "\n"
+     << indent << "Layout: " << this->Layout << "\n"
+     << indent << "Shape: " << this->Shape << "\n"
+     << indent << "ShowSamples: " << this->ShowSamples << "\n"
+     << indent << "SampleAngle: " << this->SampleAngle << " degrees\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"
      << indent << "Observer: " << this->Observer << "\n"
      << indent << "Adaptation: " << this->Adaptation << "\n"

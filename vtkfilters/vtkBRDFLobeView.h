@@ -3,20 +3,27 @@
 #include "vtkBRDFFiltersModule.h" // For export macro
 #include "vtkBRDFView.h"
 
+#include <array>  // For std::array
 #include <memory> // For std::unique_ptr
 #include <vector> // For std::vector
 
 class vtkAlgorithmOutput;
+class vtkBRDFDirectionWidget;
 class vtkDataObject;
+class vtkRenderWindowInteractor;
 
 /**
  * @class vtkBRDFLobeView
  * @brief A picture of the lobes of any number of BRDFs for one incident direction
  *
- * The first lobe is opaque, the others translucent, each with a colour that the legend names. Under them a disc: its
- * rings are polar angles seen from above (a length R at angle theta ends over the ring at R sin theta), its spokes
- * azimuths, its rim the scale's length. The half circle stands in the plane of incidence. Arrows show where light comes
- * from and the mirror direction.
+ * Overlaid, the first opaque and the others translucent, each with a colour that the legend names, or side by side.
+ * Under them a disc: its rings are polar angles seen from above (a length R at angle theta ends over the ring at
+ * R sin theta), its spokes azimuths, its rim the scale's length, which all lobes share. The half circle stands in the
+ * plane of incidence. Arrows show where light comes from and the mirror direction.
+ *
+ * Measured samples can stand as points in place of their lobe, coloured by what a model differs from them, and the
+ * signed difference of two BRDFs can be drawn in place of their lobes. With EnableInteraction the arrow of the light
+ * can be dragged.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFLobeView : public vtkBRDFView
 {
@@ -34,14 +41,15 @@ public:
   int GetNumberOfInputs() const;
 
   ///@{
-  /** Incident direction, transform, channel, resolution and tolerance of every lobe: see vtkBRDFLobe. With the channel
-   * "rgb" the first lobe has the colour of its values at full brightness. */
+  /** Incident direction, transform and its floor, channel, resolution and tolerance of every lobe: see vtkBRDFLobe. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
   vtkSetMacro(Transform, std::string);
   vtkGetMacro(Transform, std::string);
+  vtkSetMacro(Floor, double);
+  vtkGetMacro(Floor, double);
   vtkSetMacro(Channel, std::string);
   vtkGetMacro(Channel, std::string);
   vtkSetMacro(Resolution, int);
@@ -63,6 +71,39 @@ public:
   ///@}
 
   ///@{
+  /** "overlay" (default), or "side": a disc for each BRDF. */
+  vtkSetMacro(Layout, std::string);
+  vtkGetMacro(Layout, std::string);
+  ///@}
+
+  ///@{
+  /** What colours a lobe: "material" (one colour each), "value" (its length, with a colour bar), "true" (linear sRGB at
+   * full brightness), or a channel (its values, with a colour bar, the length being another's), see
+   * vtkBRDFLobe::SetChannel. Overlaid, the first lobe has it and the others one colour each. "auto" (default): "true"
+   * where the channel is "rgb", else "material". */
+  vtkSetMacro(Colour, std::string);
+  vtkGetMacro(Colour, std::string);
+  ///@}
+
+  ///@{
+  /** "value" (default), or "difference" or "displaced" (see vtkBRDFLobe::SetShape): of two inputs, the first less the
+   * second, red where it is above and blue where it is below. */
+  vtkSetMacro(Shape, std::string);
+  vtkGetMacro(Shape, std::string);
+  ///@}
+
+  ///@{
+  /** Show the samples of the first measured input whose incident direction lies within SampleAngle (degrees, default 2)
+   * of the light as points. With another input (the first one that is not it: a model) the points have the colour of
+   * the model's length less theirs and stand in place of the measured one's lobe. Default off. */
+  vtkSetMacro(ShowSamples, bool);
+  vtkGetMacro(ShowSamples, bool);
+  vtkBooleanMacro(ShowSamples, bool);
+  vtkSetMacro(SampleAngle, double);
+  vtkGetMacro(SampleAngle, double);
+  ///@}
+
+  ///@{
   /** Length that the disc's rim stands for, in the transform's unit; 0 (default): the largest of all lobes. */
   vtkSetMacro(Length, double);
   vtkGetMacro(Length, double);
@@ -76,6 +117,14 @@ public:
   vtkGetMacro(CameraElevation, double);
   ///@}
 
+  /** Lets the user drag the light's arrow, and look around: gives the window of `interactor` to the view, and the
+   * interactor a vtkBRDFDirectionWidget. Every step of a drag sets ThetaI and PhiI (rounded to a tenth of a degree, at
+   * most 89) and draws anew, the lobes more coarsely (a subdivision less, eight times the tolerance) until the arrow is
+   * let go. The interactor must outlive the view; null ends it. */
+  void EnableInteraction(vtkRenderWindowInteractor* interactor);
+  /** The widget of EnableInteraction, or null. */
+  vtkBRDFDirectionWidget* GetDirectionWidget();
+
 protected:
   vtkBRDFLobeView();
   ~vtkBRDFLobeView() override;
@@ -85,19 +134,41 @@ private:
   vtkBRDFLobeView(const vtkBRDFLobeView&) = delete;
   void operator=(const vtkBRDFLobeView&) = delete;
 
-  double UpdateLobes();
-  void AddLobes(double length);
-  void AddGround(int text);
-  void AddDirections(int text);
-  void AddCaptions(int width, int height, double length);
-  void PlaceCamera(int width, int height);
-
   struct Input;
+  struct Frame;
+  struct Points;
+  struct Plan;
+  double UpdateLobes();
+  Points FindSamples();
+  Frame MakeFrame(int width, int height, std::size_t stages, bool bar) const;
+  void ChooseScale(Plan& plan) const;
+  void PlaceCamera(const Frame& frame);
+  void AddLobe(const Plan& plan, std::size_t input, std::size_t stage);
+  void AddPoints(const Plan& plan);
+  void AddCaptions(const Plan& plan);
+  void AddLegend(const Plan& plan);
+  void AddName(const Plan& plan, std::size_t input, std::array<double, 2> at, double width, bool below);
+  void AddKey(const Plan& plan, std::size_t input, std::array<double, 2> low);
+  bool IsDifference() const { return this->Shape != "value"; }
+  bool IsColored(std::size_t input) const;
+  std::string NameOf(std::size_t input) const;
+  std::string ColourOfLobes() const;
+  static void Dragged(vtkObject* widget, unsigned long event, void* view, void* data);
+
   std::unique_ptr<std::vector<Input>> Inputs;
+  vtkSmartPointer<vtkBRDFDirectionWidget> Widget;
+  bool CameraPlaced = false;
+  bool Moving = false; // the arrow is being dragged
   double ThetaI = 45;
   double PhiI = 0;
   std::string Transform = "none";
+  double Floor = 1e-3;
   std::string Channel = "luminance";
+  std::string Colour = "auto";
+  std::string Layout = "overlay";
+  std::string Shape = "value";
+  bool ShowSamples = false;
+  double SampleAngle = 2;
   std::string Illuminant;
   std::string Observer = "2";
   std::string Adaptation = "bradford";

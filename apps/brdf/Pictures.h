@@ -30,10 +30,23 @@ struct LobePicture {
   ReadOptions assumptions;
   double thetaI = 45, phiI = 0;  ///< degrees
   std::string transform = "none";
+  double floor = 1e-3;  ///< of the transform "logfloor", 1/sr
   std::string channel = "luminance";
+  std::string colour = "auto";
+  std::string layout = "overlay";
+  std::string difference = "none";  ///< "lobe" or "displaced": of two materials
+  bool samples = false;             ///< measured points
+  double within = 2;                ///< degrees from the light, of those
+  std::size_t subdivision = 5;
+  double tolerance = 1e-3;
   ColourNames colours;
   PictureSize size;
-  std::vector<std::string> out;  ///< .png: the picture; .vtp: the mesh of the only material
+  std::vector<std::string> out;  ///< .png: the picture; .vtp, .ply, .obj, .stl: the mesh of the only lobe
+};
+struct LobeResult {
+  std::vector<double> largest;  ///< length of each lobe drawn; of a difference the one
+  std::vector<double> chordError;
+  std::vector<std::size_t> triangles;
 };
 
 struct ErrorPicture {
@@ -41,17 +54,32 @@ struct ErrorPicture {
   std::string nameA, nameB;  ///< on the picture; empty: as they are written
   ReadOptions assumptions;
   std::string measure = "absolute";
+  std::string average = "automatic";
   std::string axes = "theta_i,theta_o";
+  double thetaI = 45, phiI = 0;  ///< degrees, of the hemisphere
+  std::string projection = "equal-area";
+  std::string directions = "automatic";
+  double within = 2.5;  ///< degrees from the light, of samples on the hemisphere
   std::string channel = "luminance";
   ColourNames colours;
-  std::size_t resolution = 0;  ///< cells along each axis; 0: chosen by the number of samples
+  std::size_t resolution = 0;  ///< intervals along each axis; 0: chosen by the number of samples
+  std::size_t worst = 10, bins = 60;
   PictureSize size;
-  std::vector<std::string> out;  ///< .png: the picture; .vti, .exr: the numbers
+  std::vector<std::string> out;        ///< .png, .svg, .pdf: the picture; .vti, .exr, .csv: the numbers
+  std::vector<std::string> histogram;  ///< .png, .svg, .pdf: the picture; .csv: the numbers
+  std::string worstOut;                ///< .csv, or empty
 };
 struct ErrorResult {
+  struct Worst {
+    double error = 0, thetaI = 0, phiI = 0, thetaO = 0, phiO = 0;  ///< degrees
+    std::vector<double> a, b;                                      ///< by channel, 1/sr
+  };
   double mean = 0, largest = 0;
-  std::size_t count = 0;
-  std::string label, sampling;
+  std::size_t count = 0, pairs = 0, leftOut = 0;
+  std::string label, pairLabel, sampling;
+  std::vector<double> channels;                      ///< the mean of each
+  std::vector<std::pair<double, double>> quantiles;  ///< share, error
+  std::vector<Worst> worst;
 };
 
 /// How a scene becomes pictures.
@@ -121,7 +149,7 @@ struct MontagePicture {
 
 /// What the module offers; found there under the name `brdfPictures`.
 struct PictureFunctions {
-  void (*lobe)(const LobePicture&);
+  LobeResult (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
   /// Throws Error::Kind::Device when there is no headless OpenGL.
   FrameDrawer (*frameDrawer)();

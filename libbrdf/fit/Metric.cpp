@@ -26,6 +26,7 @@ class RmsMetric final : public Metric {
   RmsMetric() {
     name_ = "rms";
     formula_ = "f - t";
+    unit_ = "1/sr";
     source_ = "least squares";
     quadratic_ = true;
   }
@@ -41,6 +42,7 @@ class CosineMetric final : public Metric {
  public:
   explicit CosineMetric(bool solidAngle) {
     name_ = solidAngle ? "ngan" : "rms_cos";
+    unit_ = "1/sr";
     formula_ = solidAngle ? "(f - t) cos(theta_i), samples weighted by their solid angle" : "(f - t) cos(theta_i)";
     source_ =
         "Ngan, Durand, Matusik 2005, Experimental Analysis of BRDF Models, section 3, "
@@ -106,6 +108,7 @@ class CubeRootMetric final : public Metric {
  public:
   CubeRootMetric() {
     name_ = "cuberoot";
+    unit_ = "sr^-1/3";
     formula_ = "cbrt(f cos(theta_i)) - cbrt(t cos(theta_i))";
     source_ = "Fores, Ferwerda, Gu 2012, Toward a Perceptually Based Metric for BRDF Modeling, CIC20";
   }
@@ -134,6 +137,7 @@ class HuberMetric final : public Metric {
     name_ = std::move(name);
     const std::string text = delta > 0 ? formatNumber(delta) + "/sr" : "the median of |t|";
     formula_ = "d = f - t where |d| <= delta, beyond it sign(d) sqrt(2 delta |d| - delta^2); delta = " + text;
+    unit_ = "1/sr";
     source_ = "Huber 1964, Robust Estimation of a Location Parameter, doi:10.1214/aoms/1177703732";
     needsScale_ = !(delta > 0);
   }

@@ -25,6 +25,7 @@ class BRDF_EXPORT Metric {
   const std::string& name() const { return name_; }        ///< as on the command line, with its argument
   const std::string& formula() const { return formula_; }  ///< of r, for people, with the numbers in use
   const std::string& source() const { return source_; }    ///< who proposed it
+  const std::string& unit() const { return unit_; }        ///< of r, e.g. "1/sr"; empty: none, or a user's formula
   /// r = w (f - t), w not depending on f: scale factors follow by linear least squares.
   bool quadratic() const { return quadratic_; }
   /// w depends on the target's value, and so on the channel.
@@ -50,7 +51,7 @@ class BRDF_EXPORT Metric {
   virtual MetricPointer scaledTo(double typical) const;
 
  protected:
-  std::string name_, formula_, source_;
+  std::string name_, formula_, source_, unit_;
   bool quadratic_ = false, weighsByTarget_ = false, bySolidAngle_ = false, partial_ = false, needsScale_ = false;
 };
 

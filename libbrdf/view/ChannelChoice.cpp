@@ -12,7 +12,7 @@ namespace {
 
 [[noreturn]] void refuse(const Brdf& brdf, std::string_view choice) {
   const Channels& channels = brdf.channels();
-  std::string allowed = "luminance, rgb, a channel from 0 to " + std::to_string(channels.count() - 1);
+  std::string allowed = "luminance, rgb, all, a channel from 0 to " + std::to_string(channels.count() - 1);
   if (channels.kind == Channels::Kind::Spectral)
     allowed += ", a wavelength from " + formatNumber(channels.wavelengths.front()) + "nm to " +
                formatNumber(channels.wavelengths.back()) + "nm";
@@ -34,6 +34,11 @@ ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice, const Co
     return {
         asRgb(std::move(brdf), settings), {kRgbLuminanceWeights.begin(), kRgbLuminanceWeights.end()}, "linear sRGB"};
   const Channels& channels = brdf->channels();
+  if (choice == "all") {
+    const std::size_t count = channels.count();
+    return {std::move(brdf), std::vector<double>(count, 1.0 / static_cast<double>(count)),
+            count == 1 ? "its only channel" : "all " + std::to_string(count) + " channels"};
+  }
   if (choice.size() > 2 && choice.substr(choice.size() - 2) == "nm") {
     const auto& known = channels.wavelengths;
     const auto wanted = parseNumber(trimmed(choice.substr(0, choice.size() - 2)));

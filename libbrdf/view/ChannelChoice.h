@@ -15,8 +15,9 @@ struct ChannelChoice {
   std::string label;            ///< in words, e.g. "luminance", "channel 2", "550 nm"
 };
 
-/// `choice` is "luminance", "rgb" (three channels, drawn by their luminance), a channel number from 0, or a wavelength
-/// with its unit such as "550nm" (the nearest one of spectral data, inside their range). Colours and luminance of
+/// `choice` is "luminance", "rgb" (three channels, drawn by their luminance), "all" (its own, drawn by their mean), a
+/// channel number from 0, or a wavelength with its unit such as "550nm" (the nearest one of spectral data, inside their
+/// range). Colours and luminance of
 /// spectral data follow `settings`. Throws Error::Kind::Value naming what is allowed.
 BRDF_EXPORT ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice,
                                          const ColourSettings& settings = {});

@@ -1,7 +1,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
-#include <brdf/geometry/Directions.h>
-#include <brdf/material/SampleSet.h>
+#include <brdf/fit/TargetSamples.h>
 #include <brdf/view/ErrorMap.h>
 
 #include <algorithm>
@@ -13,63 +12,98 @@ namespace {
 
 constexpr std::size_t kBlock = 65'536;
 constexpr std::size_t kFewSamples = 100'000;
+constexpr std::size_t kMostPairs = 20'000'000;
+constexpr std::size_t kMostChannelNodes = 16'000'000;
 
-struct NamedMeasure {
-  std::string_view name;
-  ErrorMeasure measure;
-  std::string_view label;
+constexpr std::array<std::pair<std::string_view, ErrorDirections>, 3> kDirections{
+    {{"automatic", ErrorDirections::Automatic},
+     {"samples", ErrorDirections::Samples},
+     {"chosen", ErrorDirections::Chosen}}};
+
+/// Residuals become an average: sums of what is averaged, and of weights.
+struct Sum {
+  double value = 0, weight = 0;
+  void add(const ErrorMeasure& measure, double residual, double w) {
+    value += w * (measure.average == ErrorAverage::RootMeanSquare ? residual * residual
+                  : measure.average == ErrorAverage::Absolute     ? std::abs(residual)
+                                                                  : residual);
+    weight += w;
+  }
+  double mean(const ErrorMeasure& measure) const {
+    if (!(weight > 0)) return 0;
+    return measure.average == ErrorAverage::RootMeanSquare ? std::sqrt(value / weight) : value / weight;
+  }
 };
-constexpr std::array<NamedMeasure, 5> kMeasures{{
-    {"difference", ErrorMeasure::Difference, "mean of f_A - f_B (1/sr)"},
-    {"absolute", ErrorMeasure::Absolute, "mean of |f_A - f_B| (1/sr)"},
-    {"relative", ErrorMeasure::Relative, "mean of |f_A - f_B| / f_B"},
-    {"log", ErrorMeasure::Log, "mean of |difference of ln(1 + f cos theta_i)|, f in 1/sr"},
-    {"cuberoot", ErrorMeasure::CubeRoot, "mean of |difference of cbrt(f cos theta_i)| (sr^-1/3)"},
-}};
 
-/// Collects differences into the nodes of a map.
+/// Collects residuals into the nodes of a map.
 class Accumulator {
  public:
-  Accumulator(const Brdf& a, const Brdf& b, const ErrorMapOptions& options, std::size_t intervals)
-      : a_(a), b_(b), options_(options), channels_(a.channels().count()) {
-    map_.intervals = intervals;
-    map_.mean.assign(map_.nodes() * map_.nodes(), 0);
-    map_.count.assign(map_.nodes() * map_.nodes(), 0);
+  Accumulator(const Brdf& a, const Brdf& b, const ErrorMeasure& measure, const ErrorGrid& grid)
+      : a_(a),
+        b_(b),
+        measure_(measure),
+        channels_(a.channels().count()),
+        symmetry_(std::max(a.symmetry(), b.symmetry())) {
+    map_.grid = grid;
+    const std::size_t nodes = grid.nodes() * grid.nodes();
+    if (nodes * channels_ > kMostChannelNodes)
+      throw Error(Error::Kind::Value, {"too many nodes for so many channels", "error map",
+                                       std::to_string(nodes) + " times " + std::to_string(channels_),
+                                       "fewer intervals, or luminance or rgb"});
+    sums_.resize(nodes * channels_);
+    overall_.resize(channels_);
+    map_.count.assign(nodes, 0);
+    worst_.resize(nodes);
   }
 
   /// `known` holds the values of the BRDF whose samples these are (`bKnown`: b's), planar; null: both are evaluated.
-  void add(const DirectionPairs<double>& pairs, const double* known, const std::uint8_t* knownValid, bool bKnown) {
+  /// `weights` null: all alike.
+  void add(const DirectionPairs<double>& pairs, const double* weights, const double* known,
+           const std::uint8_t* knownValid, bool bKnown) {
     valuesA_.resize(pairs.count * channels_);
     valuesB_.resize(pairs.count * channels_);
     validA_.resize(pairs.count);
     validB_.resize(pairs.count);
     fill(a_, pairs, bKnown ? nullptr : known, knownValid, valuesA_, validA_);
     fill(b_, pairs, bKnown ? known : nullptr, knownValid, valuesB_, validB_);
-    for (std::size_t i = 0; i < pairs.count; ++i) {
-      if (!validA_[i] || !validB_[i]) continue;
-      const Direction wi{pairs.wi[0][i], pairs.wi[1][i], pairs.wi[2][i]};
-      const Direction wo{pairs.wo[0][i], pairs.wo[1][i], pairs.wo[2][i]};
-      const std::size_t node = nodeOf(wi, wo);
-      for (std::size_t c = 0; c < channels_; ++c) {
-        const double b = valuesB_[c * pairs.count + i];
-        if (options_.measure == ErrorMeasure::Relative && !(b > 0)) continue;
-        map_.mean[node] += errorMeasure(options_.measure, valuesA_[c * pairs.count + i], b, wi[2]);
-        ++map_.count[node];
-      }
+    pack(pairs, weights);
+    residual_.resize(kept_.size() * channels_);
+    target_.resize(kept_.size());
+    const DirectionPairs<double> packed = packedPairs_.view();
+    for (std::size_t c = 0; c < channels_; ++c) {
+      measure_.metric->prepare(packedB_.data() + c * packed.count, packed, target_.data());
+      measure_.metric->residual(packedA_.data() + c * packed.count, target_.data(), packed,
+                                residual_.data() + c * packed.count);
     }
+    for (std::size_t i = 0; i < kept_.size(); ++i) count(packed, i, weights ? weights[kept_[i]] : 1);
+    if (weights)
+      for (std::size_t i : kept_) map_.weights.push_back(weights[i]);
   }
 
-  ErrorMap finish(std::string sampling) {
-    double sum = 0;
-    std::uint64_t count = 0;
-    for (std::size_t node = 0; node < map_.mean.size(); ++node) {
-      sum += map_.mean[node];
-      count += map_.count[node];
-      if (map_.count[node] > 0) map_.mean[node] /= static_cast<double>(map_.count[node]);
+  ErrorMap finish(std::size_t worst, std::string sampling) {
+    const std::size_t nodes = map_.count.size();
+    map_.mean.assign(nodes, 0);
+    if (channels_ > 1) map_.channelMean.assign(nodes * channels_, 0);
+    Sum all;
+    for (std::size_t node = 0; node < nodes; ++node) {
+      Sum combined;
+      for (std::size_t c = 0; c < channels_; ++c) {
+        const Sum& one = sums_[c * nodes + node];
+        combined.value += one.value;
+        combined.weight += one.weight;
+        if (channels_ > 1) map_.channelMean[c * nodes + node] = one.mean(measure_);
+      }
+      map_.mean[node] = combined.mean(measure_);
       map_.largest = std::max(map_.largest, std::abs(map_.mean[node]));
     }
-    map_.overallMean = count > 0 ? sum / static_cast<double>(count) : 0;
+    for (const Sum& one : overall_) {
+      map_.channelOverall.push_back(one.mean(measure_));
+      all.value += one.value;
+      all.weight += one.weight;
+    }
+    map_.overallMean = all.mean(measure_);
     map_.sampling = std::move(sampling);
+    listWorst(worst);
     return std::move(map_);
   }
 
@@ -82,155 +116,196 @@ class Accumulator {
     } else {
       brdf.evaluateParallel(pairs, values.data(), valid.data());
     }
+    for (std::size_t c = 0; c < channels_; ++c)
+      for (std::size_t i = 0; i < pairs.count; ++i) valid[i] = valid[i] && std::isfinite(values[c * pairs.count + i]);
   }
 
-  std::size_t nodeOf(const Direction& wi, const Direction& wo) const {
-    double x, y;
-    if (options_.axes == ErrorAxes::IncidentOutgoing) {
-      x = toSpherical(wi).theta;
-      y = toSpherical(wo).theta;
-    } else {
-      const HalfDifference angles = toHalfDifference(wi, wo);
-      x = angles.thetaH;
-      y = angles.thetaD;
+  /// The pairs with two values, at a node of the grid.
+  void pack(const DirectionPairs<double>& pairs, const double* weights) {
+    kept_.clear();
+    node_.clear();
+    packedPairs_.resize(0);
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+      const Direction wi{pairs.wi[0][i], pairs.wi[1][i], pairs.wi[2][i]};
+      const Direction wo{pairs.wo[0][i], pairs.wo[1][i], pairs.wo[2][i]};
+      const std::size_t node = map_.grid.nodeOf(wi, wo, symmetry_);
+      if (node == ErrorGrid::kNowhere || (weights && !(weights[i] > 0))) continue;
+      if (!validA_[i] || !validB_[i]) {
+        ++map_.leftOut;
+        continue;
+      }
+      kept_.push_back(i);
+      node_.push_back(node);
+      packedPairs_.push(wi, wo);
     }
-    const auto index = [&](double angle) {
-      const double scaled = angle / (kPi / 2) * static_cast<double>(map_.intervals) + 0.5;
-      return std::min(static_cast<std::size_t>(std::max(scaled, 0.0)), map_.intervals);
-    };
-    return index(y) * map_.nodes() + index(x);
+    packedA_.resize(kept_.size() * channels_);
+    packedB_.resize(kept_.size() * channels_);
+    for (std::size_t c = 0; c < channels_; ++c)
+      for (std::size_t k = 0; k < kept_.size(); ++k) {
+        packedA_[c * kept_.size() + k] = valuesA_[c * pairs.count + kept_[k]];
+        packedB_[c * kept_.size() + k] = valuesB_[c * pairs.count + kept_[k]];
+      }
+  }
+
+  void count(const DirectionPairs<double>& packed, std::size_t i, double weight) {
+    double sum = 0, squares = 0;
+    for (std::size_t c = 0; c < channels_; ++c) {
+      const double residual = residual_[c * packed.count + i];
+      if (!std::isfinite(residual))
+        throw Error(Error::Kind::Value, {"the metric has no finite value on these pairs", measure_.metric->name(), "",
+                                         "a formula that is finite at every value of both, as with max(f, 0)"});
+      sums_[c * map_.count.size() + node_[i]].add(measure_, residual, weight);
+      overall_[c].add(measure_, residual, weight);
+      sum += residual;
+      squares += residual * residual;
+    }
+    const auto n = static_cast<double>(channels_);
+    const double error = measure_.average == ErrorAverage::Signed ? sum / n : std::sqrt(squares / n);
+    map_.errors.push_back(error);
+    map_.count[node_[i]] += channels_;
+    WorstPair& worst = worst_[node_[i]];
+    if (!(std::abs(error) > std::abs(worst.error))) return;
+    worst.error = error;
+    worst.node = node_[i];
+    worst.pair = {{packed.wi[0][i], packed.wi[1][i], packed.wi[2][i]},
+                  {packed.wo[0][i], packed.wo[1][i], packed.wo[2][i]}};
+    worst.a.resize(channels_);
+    worst.b.resize(channels_);
+    for (std::size_t c = 0; c < channels_; ++c) {
+      worst.a[c] = packedA_[c * packed.count + i];
+      worst.b[c] = packedB_[c * packed.count + i];
+    }
+  }
+
+  void listWorst(std::size_t number) {
+    std::erase_if(worst_, [](const WorstPair& one) { return one.error == 0; });
+    std::sort(worst_.begin(), worst_.end(), [](const WorstPair& x, const WorstPair& y) {
+      const double a = std::abs(x.error), b = std::abs(y.error);
+      return a > b || (a == b && x.node < y.node);
+    });
+    worst_.resize(std::min(number, worst_.size()));
+    map_.worst = std::move(worst_);
   }
 
   const Brdf& a_;
   const Brdf& b_;
-  const ErrorMapOptions& options_;
+  const ErrorMeasure& measure_;
   std::size_t channels_;
+  Symmetry symmetry_;
   ErrorMap map_;
-  std::vector<double> valuesA_, valuesB_;
+  std::vector<Sum> sums_, overall_;
+  std::vector<WorstPair> worst_;  // of each node
+  std::vector<double> valuesA_, valuesB_, packedA_, packedB_, residual_, target_;
   std::vector<std::uint8_t> validA_, validB_;
+  std::vector<std::size_t> kept_, node_;
+  DirectionPairBuffer<double> packedPairs_;
 };
 
-void addSamples(Accumulator& accumulator, const SampleSet& samples, bool ofB) {
+void addSamples(Accumulator& accumulator, const SampleSet& samples, bool ofB, bool bySolidAngle) {
   DirectionPairBuffer<double> pairs;
-  std::vector<double> values(kBlock * samples.channels().count());
+  std::vector<double> values(kBlock * samples.channels().count()), weights(kBlock);
   std::vector<std::uint8_t> valid(kBlock);
   for (std::size_t first = 0; first < samples.count(); first += kBlock) {
     const std::size_t length = std::min(kBlock, samples.count() - first);
     samples.read(first, length, &pairs, values.data(), valid.data());
-    accumulator.add(pairs.view(), values.data(), valid.data(), ofB);
+    if (bySolidAngle && !samples.solidAngles(first, length, weights.data()))
+      throw Error(Error::Kind::Value, {"the metric weighs samples by their solid angle, which these do not have",
+                                       "error map", "scattered samples", "another metric, or directions chosen"});
+    accumulator.add(pairs.view(), bySolidAngle ? weights.data() : nullptr, values.data(), valid.data(), ofB);
   }
 }
 
-/// The angle that stands for a node; the first and last nodes have half an interval only, and stand in its middle.
-double nodeAngle(std::size_t node, std::size_t intervals) {
-  const double step = kPi / 2 / static_cast<double>(intervals);
-  if (node == 0) return step / 4;
-  if (node == intervals) return kPi / 2 - step / 4;
-  return static_cast<double>(node) * step;
-}
-
-/// Directions at each node. Isotropic BRDFs need one azimuth, from 0 to pi, bilateral ones from 0 to 2 pi;
-/// anisotropic ones both azimuths, whose numbers multiply to about `azimuths`.
-void addDirections(Accumulator& accumulator, const ErrorMapOptions& options, std::size_t intervals, Symmetry symmetry) {
-  const std::size_t turns = symmetry != Symmetry::Anisotropic
-                                ? 1
-                                : static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(options.azimuths))));
-  const std::size_t differences = turns == 1 ? options.azimuths : (options.azimuths + turns - 1) / turns;
-  const double differenceRange = symmetry == Symmetry::Isotropic ? kPi : 2 * kPi;
+void addChosen(Accumulator& accumulator, const ErrorGrid& grid, std::size_t azimuths, Symmetry symmetry) {
   DirectionPairBuffer<double> pairs;
+  std::vector<double> weights;
   const auto flush = [&] {
-    if (pairs.size() > 0) accumulator.add(pairs.view(), nullptr, nullptr, false);
+    if (pairs.size() > 0) accumulator.add(pairs.view(), weights.data(), nullptr, nullptr, false);
     pairs.resize(0);
+    weights.clear();
   };
-  const std::size_t nodes = intervals + 1;
-  for (std::size_t node = 0; node < nodes * nodes; ++node) {
-    const double x = nodeAngle(node % nodes, intervals), y = nodeAngle(node / nodes, intervals);
-    for (std::size_t turn = 0; turn < turns; ++turn) {
-      const double turned = 2 * kPi * static_cast<double>(turn) / static_cast<double>(turns);
-      for (std::size_t k = 0; k < differences; ++k) {
-        const double azimuth = (static_cast<double>(k) + 0.5) * differenceRange / static_cast<double>(differences);
-        const DirectionPair pair = options.axes == ErrorAxes::IncidentOutgoing
-                                       ? DirectionPair{fromSpherical(x, turned), fromSpherical(y, turned + azimuth)}
-                                       : fromHalfDifference({x, turned, y, azimuth});
-        if (pair.wi[2] > 0 && pair.wo[2] > 0) pairs.push(pair.wi, pair.wo);
-      }
-    }
+  grid.visit(azimuths, symmetry, [&](const DirectionPair& pair, double weight) {
+    pairs.push(pair.wi, pair.wo);
+    weights.push_back(weight);
     if (pairs.size() >= kBlock) flush();
-  }
+  });
   flush();
 }
 
-const SampleSet* samplesOf(const Brdf& a, const Brdf& b, bool wanted) {
-  if (!wanted) return nullptr;
+const SampleSet* samplesOf(const Brdf& a, const Brdf& b, ErrorAxes axes, ErrorDirections directions) {
+  if (directions == ErrorDirections::Chosen) return nullptr;
+  if (directions == ErrorDirections::Automatic && axes == ErrorAxes::Hemisphere) return nullptr;
   return b.samples() ? b.samples() : a.samples();
+}
+
+void require(bool condition, const char* what, const std::string& found, const char* allowed) {
+  if (!condition) throw Error(Error::Kind::Value, {"out of range", what, found, allowed});
+}
+
+void checkChannels(const Channels& a, const Channels& b) {
+  const bool same = a.count() == b.count() && (a.count() == 1 || a == b);
+  if (!same)
+    throw Error(Error::Kind::Value, {"the two BRDFs have different channels", "error map",
+                                     std::to_string(a.count()) + " and " + std::to_string(b.count()),
+                                     "the same (choose luminance or rgb)"});
 }
 
 }  // namespace
 
-double errorMeasure(ErrorMeasure measure, double a, double b, double cosThetaI) {
-  switch (measure) {
-    case ErrorMeasure::Absolute:
-      return std::abs(a - b);
-    case ErrorMeasure::Relative:
-      return std::abs(a - b) / b;
-    case ErrorMeasure::Log:
-      return std::abs(std::log1p(std::max(a, 0.0) * cosThetaI) - std::log1p(std::max(b, 0.0) * cosThetaI));
-    case ErrorMeasure::CubeRoot:
-      return std::abs(std::cbrt(a * cosThetaI) - std::cbrt(b * cosThetaI));
-    default:
-      return a - b;
-  }
-}
-
-ErrorMeasure parseErrorMeasure(std::string_view name) {
-  std::vector<std::string_view> names;
-  for (const NamedMeasure& known : kMeasures) {
-    if (known.name == name) return known.measure;
-    names.push_back(known.name);
-  }
-  throw Error(Error::Kind::Value, {"unknown measure", "error map", std::string(name), joined(names)});
-}
-
-std::string errorMeasureLabel(ErrorMeasure measure) {
-  for (const NamedMeasure& known : kMeasures)
-    if (known.measure == measure) return std::string(known.label);
-  return {};
-}
-
-ErrorAxes parseErrorAxes(std::string_view name) {
-  if (name == "theta_i,theta_o") return ErrorAxes::IncidentOutgoing;
-  if (name == "theta_h,theta_d") return ErrorAxes::HalfDifference;
+ErrorDirections parseErrorDirections(std::string_view name) {
+  for (const auto& [known, directions] : kDirections)
+    if (known == name) return directions;
   throw Error(Error::Kind::Value,
-              {"unknown axes", "error map", std::string(name), "\"theta_i,theta_o\", \"theta_h,theta_d\""});
+              {"unknown directions", "error map", std::string(name), joined(errorDirectionsNames())});
 }
 
-std::size_t automaticIntervals(const Brdf& a, const Brdf& b, bool onSamples) {
-  const SampleSet* samples = samplesOf(a, b, onSamples);
-  if (!samples) return 90;
-  return samples->count() <= kFewSamples ? 9 : 45;
+std::vector<std::string> errorDirectionsNames() {
+  std::vector<std::string> names;
+  for (const auto& [name, directions] : kDirections) names.emplace_back(name);
+  return names;
+}
+
+std::size_t automaticIntervals(const Brdf& a, const Brdf& b, ErrorAxes axes, ErrorDirections directions) {
+  const SampleSet* samples = samplesOf(a, b, axes, directions);
+  const std::size_t quarter = !samples ? 90 : samples->count() <= kFewSamples ? 9 : 45;
+  return axes == ErrorAxes::Hemisphere ? 2 * quarter : quarter;
 }
 
 ErrorMap makeErrorMap(const Brdf& a, const Brdf& b, const ErrorMapOptions& options) {
-  if (a.channels().count() != b.channels().count())
-    throw Error(Error::Kind::Value,
-                {"the two BRDFs have different channels", "error map",
-                 std::to_string(a.channels().count()) + " and " + std::to_string(b.channels().count()),
-                 "the same number (choose luminance or rgb)"});
-  if (options.intervals > 1000)
-    throw Error(Error::Kind::Value,
-                {"out of range", "error map intervals", std::to_string(options.intervals), "1 to 1000, 0: automatic"});
-  if (options.azimuths < 1 || options.azimuths > 10'000)
-    throw Error(Error::Kind::Value,
-                {"out of range", "error map azimuths", std::to_string(options.azimuths), "1 to 10000"});
-  const std::size_t intervals = options.intervals > 0 ? options.intervals : automaticIntervals(a, b, options.onSamples);
-  Accumulator accumulator(a, b, options, intervals);
-  if (const SampleSet* samples = samplesOf(a, b, options.onSamples)) {
-    const bool ofB = samples == b.samples();
-    addSamples(accumulator, *samples, ofB);
-    return accumulator.finish(std::string("at the samples of ") + (ofB ? "B" : "A"));
+  checkChannels(a.channels(), b.channels());
+  ErrorGrid grid = options.grid;
+  require(grid.intervals <= 1000, "error map intervals", std::to_string(grid.intervals), "1 to 1000, 0: automatic");
+  require(options.azimuths >= 1 && options.azimuths <= 10'000, "error map azimuths", std::to_string(options.azimuths),
+          "1 to 10000");
+  require(options.worst <= 10'000, "worst pairs of an error map", std::to_string(options.worst), "0 to 10000");
+  require(grid.thetaI >= 0 && grid.thetaI < kPi / 2, "theta_i", formatNumber(degrees(grid.thetaI)), "[0, 90) degrees");
+  require(std::isfinite(grid.phiI), "phi_i", formatNumber(degrees(grid.phiI)), "a finite number of degrees");
+  require(grid.within >= 0 && grid.within <= kPi, "angle around the incident direction",
+          formatNumber(degrees(grid.within)), "0 to 180 degrees");
+  const SampleSet* samples = samplesOf(a, b, grid.axes, options.directions);
+  if (options.directions == ErrorDirections::Samples && !samples)
+    throw Error(Error::Kind::Value, {"neither BRDF has samples", "error map", "samples", "automatic, chosen"});
+  if (grid.intervals == 0) grid.intervals = automaticIntervals(a, b, grid.axes, options.directions);
+  const bool ofB = samples && samples == b.samples();
+
+  ErrorMeasure measure = options.measure;
+  if (measure.metric->needsScale()) {
+    const TargetSamples taken =
+        samples ? TargetSamples{} : takeSamples(BrdfPointer(BrdfPointer(), &b), {Sampling::Hemisphere}, 90);
+    measure.metric = measure.metric->scaledTo(samples ? typicalValue(*samples, ofB ? nullptr : &b, 90)
+                                                      : typicalValue(*taken.set, nullptr, 90));
   }
-  addDirections(accumulator, options, intervals, std::max(a.symmetry(), b.symmetry()));
-  return accumulator.finish("over " + std::to_string(options.azimuths) + " azimuths");
+  Accumulator accumulator(a, b, measure, grid);
+  if (samples) {
+    addSamples(accumulator, *samples, ofB, measure.metric->bySolidAngle());
+    return accumulator.finish(options.worst, std::string("at the samples of ") + (ofB ? "B" : "A"));
+  }
+  const std::size_t each = grid.axes == ErrorAxes::Hemisphere ? 1 : options.azimuths;
+  const std::size_t pairs = grid.nodes() * grid.nodes() * each;
+  require(pairs <= kMostPairs, "pairs of directions of an error map", std::to_string(pairs), "at most 20000000");
+  addChosen(accumulator, grid, options.azimuths, std::max(a.symmetry(), b.symmetry()));
+  return accumulator.finish(options.worst, grid.axes == ErrorAxes::Hemisphere
+                                               ? "one view direction a point"
+                                               : "over " + std::to_string(each) + " azimuths");
 }
 
 }  // namespace brdf

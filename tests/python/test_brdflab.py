@@ -241,6 +241,31 @@ class Pipeline(unittest.TestCase):
         self.assertGreater(fit.GetParameters().GetNumberOfRows(), 2)
 
 
+    def test_error_map_has_tables(self):
+        a, b = source("0.9*Lambertian"), source("0.4*Lambertian")
+        errors = brdflab.vtkBRDFErrorMap()
+        errors.SetInputConnection(0, a.GetOutputPort())
+        errors.SetInputConnection(1, b.GetOutputPort())
+        errors.SetAxes("hemisphere")
+        errors.SetMeasure("difference")
+        errors.SetIntervals(20)
+        errors.SetNumberOfWorst(3)
+        errors.Update()
+        self.assertEqual(errors.GetErrorText(), "")
+        self.assertAlmostEqual(errors.GetQuantile(0.5), 0.5 / math.pi, places=14)
+        counts = vtk_to_numpy(errors.GetHistogram().GetColumnByName("count"))
+        self.assertEqual(counts.sum(), errors.GetNumberOfPairs())
+        worst = errors.GetWorst()
+        self.assertEqual(worst.GetNumberOfRows(), 3)
+        self.assertAlmostEqual(worst.GetValueByName(0, "theta_i").ToDouble(), 45, places=10)
+
+    def test_direction_widget_has_angles(self):
+        widget = brdflab.vtkBRDFDirectionWidget()
+        widget.SetTheta(120)
+        widget.SetPhi(-30)
+        self.assertEqual((widget.GetTheta(), widget.GetPhi()), (89, -30))  # never at the horizon
+
+
 class Pictures(unittest.TestCase):
     def test_a_view_writes_a_png(self):
         view = brdflab.vtkBRDFLobeView()

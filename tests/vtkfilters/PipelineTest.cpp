@@ -14,6 +14,7 @@
 #include <vtkBRDFFillHoles.h>
 #include <vtkBRDFFit.h>
 #include <vtkBRDFLobe.h>
+#include <vtkBRDFLobeSamples.h>
 #include <vtkBRDFReader.h>
 #include <vtkBRDFSource.h>
 #include <vtkBRDFTabulate.h>
@@ -26,7 +27,9 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkVariant.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -384,6 +387,122 @@ TEST(Pipeline, ErrorMapIsAnImageInDegrees) {
   EXPECT_NEAR(range[1], 0.5 / kPi, 1e-15);
   EXPECT_NEAR(map->GetOverallMean(), 0.5 / kPi, 1e-14);
   EXPECT_EQ(map->SuggestIntervals(), 90);
+}
+
+TEST(Pipeline, ErrorMapHasAHistogramAndTheWorstDirections) {
+  vtkNew<vtkBRDFSource> a, b;
+  a->SetMaterial("(0.2, 0.3, 0.4)*Lambertian + 0.1*GGX(alpha=0.3)");
+  b->SetMaterial("0.4*Lambertian + 0.1*GGX(alpha=0.2)");
+  vtkNew<vtkBRDFErrorMap> map;
+  map->SetInputConnection(0, a->GetOutputPort());
+  map->SetInputConnection(1, b->GetOutputPort());
+  map->SetAxes("hemisphere");
+  map->SetThetaI(50);
+  map->SetChannel("rgb");
+  map->SetMeasure("log");
+  map->SetIntervals(40);
+  map->SetNumberOfWorst(7);
+  map->Update();
+  ASSERT_EQ(map->GetErrorText(), "");
+  vtkImageData* image = map->GetOutput();
+  EXPECT_EQ(image->GetDimensions()[0], 41);
+  EXPECT_DOUBLE_EQ(image->GetBounds()[0], -1);
+  EXPECT_DOUBLE_EQ(image->GetBounds()[3], 1);
+  EXPECT_EQ(image->GetPointData()->GetArray("channel_error")->GetNumberOfComponents(), 3);
+  EXPECT_EQ(map->GetNumberOfChannels(), 3);
+
+  vtkTable* histogram = map->GetHistogram();
+  EXPECT_EQ(histogram->GetNumberOfRows(), 60);
+  double pairs = 0, share = 0;
+  for (vtkIdType row = 0; row < 60; ++row) {
+    pairs += histogram->GetValueByName(row, "count").ToDouble();
+    share += histogram->GetValueByName(row, "share").ToDouble();
+    EXPECT_LT(histogram->GetValueByName(row, "low").ToDouble(), histogram->GetValueByName(row, "high").ToDouble());
+  }
+  EXPECT_EQ(pairs, map->GetNumberOfPairs());
+  EXPECT_NEAR(share, 1, 1e-12);
+  EXPECT_EQ(map->GetQuantile(1), histogram->GetValueByName(59, "high").ToDouble());
+
+  vtkTable* worst = map->GetWorst();
+  ASSERT_EQ(worst->GetNumberOfRows(), 7);
+  EXPECT_EQ(worst->GetValueByName(0, "error").ToDouble(), map->GetQuantile(1));
+  for (vtkIdType row = 0; row < 7; ++row) {
+    const auto value = [&](const char* column) { return worst->GetValueByName(row, column).ToDouble(); };
+    EXPECT_NEAR(value("theta_i"), 50, 1e-10);
+    double squares = 0;  // the metric's own terms
+    for (const auto& [inA, inB] : {std::pair{"a_0", "b_0"}, std::pair{"a_1", "b_1"}, std::pair{"a_2", "b_2"}}) {
+      const double cosine = std::cos(radians(50));
+      squares += std::pow(std::log1p(value(inA) * cosine) - std::log1p(value(inB) * cosine), 2) / 3;
+    }
+    EXPECT_NEAR(value("error"), std::sqrt(squares), 1e-12);
+    EXPECT_LE(value("error"), worst->GetValueByName(std::max<vtkIdType>(row - 1, 0), "error").ToDouble());
+  }
+}
+
+TEST(Pipeline, LobesShowDifferencesAndColours) {
+  vtkNew<vtkBRDFSource> a, b;
+  a->SetMaterial("(1, 0.5, 0)*Lambertian");
+  b->SetMaterial("0.25*Lambertian");
+  vtkNew<vtkBRDFLobe> lobe;
+  lobe->SetInputConnection(0, a->GetOutputPort());
+  lobe->SetChannel("1");
+  lobe->SetColour("true");
+  lobe->Update();
+  vtkDataArray* rgb = lobe->GetOutput()->GetPointData()->GetArray("rgb");
+  ASSERT_NE(rgb, nullptr);
+  EXPECT_EQ(rgb->GetComponent(7, 0), 255);
+  EXPECT_EQ(rgb->GetComponent(7, 1), 188);  // sRGB of 0.5
+  EXPECT_EQ(rgb->GetComponent(7, 2), 0);
+  lobe->SetColour("0");
+  lobe->Update();
+  EXPECT_NEAR(lobe->GetOutput()->GetPointData()->GetArray("colour")->GetComponent(7, 0), 1 / kPi, 1e-14);
+  EXPECT_NEAR(lobe->GetMaximumLength(), 0.5 / kPi, 1e-14);  // still channel 1
+  {
+    const ExpectErrors errors;
+    lobe->SetShape("difference");
+    lobe->Update();
+    EXPECT_NE(lobe->GetErrorText().find("no BRDF"), std::string::npos) << lobe->GetErrorText();
+  }
+  lobe->SetInputConnection(1, b->GetOutputPort());
+  lobe->SetChannel("luminance");
+  lobe->SetShape("displaced");
+  lobe->Update();
+  ASSERT_EQ(lobe->GetErrorText(), "");
+  const double difference = (0.2126 + 0.5 * 0.7152 - 0.25) / kPi;
+  EXPECT_NEAR(lobe->GetReferenceRadius(), difference, 1e-4);
+  const double* bounds = lobe->GetOutput()->GetBounds();
+  EXPECT_NEAR(bounds[5], 2 * lobe->GetReferenceRadius(), 1e-14);
+}
+
+TEST(Pipeline, LobeSamplesLieWhereTheyWereMeasured) {
+  vtkNew<vtkBRDFSource> a, b;
+  a->SetMaterial("0.5*Lambertian");
+  b->SetMaterial("0.4*Lambertian");
+  const auto measured = test::tabulated("0.5*Lambertian");
+  vtkNew<vtkBRDFLobeSamples> samples;
+  samples->SetInputDataObject(0, measured);
+  samples->SetInputConnection(1, b->GetOutputPort());
+  samples->SetTransform("cuberoot");
+  samples->SetWithin(4);
+  samples->Update();
+  ASSERT_EQ(samples->GetErrorText(), "");
+  vtkPolyData* points = samples->GetOutput();
+  EXPECT_GT(points->GetNumberOfPoints(), 100);
+  EXPECT_EQ(points->GetNumberOfVerts(), points->GetNumberOfPoints());
+  const double length = std::cbrt(0.5 / kPi), residual = std::cbrt(0.4 / kPi) - length;
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i) {
+    const double* p = points->GetPoint(i);
+    EXPECT_NEAR(std::sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]), length, 1e-14);
+    EXPECT_NEAR(points->GetPointData()->GetArray("residual")->GetComponent(i, 0), residual, 1e-14);
+  }
+  samples->SetMaximumPoints(10);
+  samples->Update();
+  EXPECT_LE(samples->GetOutput()->GetNumberOfPoints(), 10);
+  EXPECT_GT(samples->GetNumberFound(), 100);
+  const ExpectErrors errors;
+  samples->SetInputConnection(0, a->GetOutputPort());
+  samples->Update();
+  EXPECT_NE(samples->GetErrorText().find("no measured samples"), std::string::npos) << samples->GetErrorText();
 }
 
 /// Diffuse, reflecting red light: a sum of lobes at 31 wavelengths.

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/material/LobeSum.h>
+#include <brdf/material/TableBrdf.h>
 
 #include <vtkBRDF.h>
 #include <vtkBRDFAlgorithm.h>
@@ -25,6 +26,13 @@ class QuietOutput : public vtkOutputWindow {
   void DisplayText(const char* text) override { collected += text; }
   std::string collected;
 };
+
+/// A material as a table of 20 x 20 x 20 cells, whose samples they are.
+inline vtkSmartPointer<vtkBRDF> tabulated(const char* material) {
+  auto data = vtkSmartPointer<vtkBRDF>::New();
+  data->SetBrdf(TableBrdf::tabulate(*parseMaterialExpression(material), {20, 20, 20}));
+  return data;
+}
 
 /// While one lives, errors are expected and collected.
 class ExpectErrors {

@@ -16,7 +16,7 @@ class vtkImageData;
 /// The picture module: a library of its own, loaded by ../Pictures.cpp. One file a command.
 namespace brdf::app {
 
-void drawLobe(const LobePicture& request);
+LobeResult drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
 FrameDrawer frameDrawer();
 TriangleMesh makeObject(const std::string& object);
@@ -54,11 +54,12 @@ void setColours(Filter* filter, const ColourNames& colours) {
   filter->SetAdaptation(colours.adaptation);
 }
 
-/// Writes `data` with a writer of VTK's, replacing `path` when it is complete.
-template <class Writer, class Data>
-void writeVtk(Data* data, const std::string& path) {
+/// Writes `data` with a writer of VTK's, replacing `path` when it is complete. `set` (Writer*) sets its options.
+template <class Writer, class Data, class Settings>
+void writeVtk(Data* data, const std::string& path, const Settings& set) {
   AtomicFile file(path);
   vtkNew<Writer> writer;
+  set(writer.Get());
   writer->SetInputData(data);
   writer->SetFileName(file.temporaryPath().c_str());
   writer->Write();
@@ -66,6 +67,10 @@ void writeVtk(Data* data, const std::string& path) {
     throw Error(Error::Kind::File,
                 {"cannot be written", path, vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode()), ""});
   file.commit();
+}
+template <class Writer, class Data>
+void writeVtk(Data* data, const std::string& path) {
+  writeVtk<Writer>(data, path, [](Writer*) {});
 }
 
 }  // namespace brdf::app
