@@ -45,6 +45,12 @@ void draw(benchmark::State& state, const BrdfPointer& material, int samples) {
 BrdfPointer lobes() { return parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.2)"); }
 
 BENCHMARK_CAPTURE(draw, point_light, lobes(), 0)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BrdfPointer merl() {
+  return TableBrdf::tabulate(*parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + (0.5,0.4,0.3)*GGX(alpha=0.1)"));
+}
+
+BENCHMARK_CAPTURE(draw, merl_100, merl(), 100)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(draw, merl_point, merl(), 0)->UseRealTime()->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(draw, environment_100, lobes(), 100)
     ->UseRealTime()
     ->MeasureProcessCPUTime()

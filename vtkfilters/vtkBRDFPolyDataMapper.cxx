@@ -1,5 +1,8 @@
 #include "vtkBRDFPolyDataMapper.h"
 
+#include "vtkBRDFCompatibility.h"
+#include VTK_BRDF_GL_LOADER_HEADER
+
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFShaderText.h"
@@ -12,29 +15,85 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkWeakPointer.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/color/ColourSettings.h>
 #include <brdf/material/ChannelView.h>
 #include <brdf/material/LobeSum.h>
+#include <brdf/sampling/DrawnTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <type_traits>
+#include <vector>
+
+namespace
+{
+// Texels that a texture buffer of the current device holds.
+std::size_t LargestBuffer()
+{
+  GLint texels = 0;
+  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+  return static_cast<std::size_t>(std::max(texels, 0));
+}
+}
 
 class vtkBRDFPolyDataMapper::Internals
 {
 public:
   std::shared_ptr<const brdf::Brdf> Brdf;
-  brdf::ColourNames Colours;               // that the shader was made with
-  std::optional<vtkBRDFShaderText> Shader; // empty where the BRDF cannot be drawn
-  vtkTimeStamp StructureTime;              // when the shader's text last changed
+  brdf::ColourNames Colours;                              // that the shader was made with
+  double Tolerance = 0;                                   // likewise, of resampling
+  std::optional<vtkBRDFShaderText> Shader;                // empty where the BRDF cannot be drawn
+  vtkTimeStamp StructureTime;                             // when the shader's text last changed
+  brdf::DrawnTable Table;                                 // what is drawn of a BRDF that is no sum of lobes
+  std::vector<vtkSmartPointer<vtkTextureObject>> Buffers; // of the shader, on the device of BufferWindow
+  vtkWeakPointer<vtkOpenGLRenderWindow> BufferWindow;
+
+  void ReleaseBuffers()
+  {
+    this->Buffers.clear();
+    this->BufferWindow = nullptr;
+  }
+  void UploadBuffers(vtkOpenGLRenderWindow* window);
 };
+
+// Makes texture buffers of the shader's where there are none.
+void vtkBRDFPolyDataMapper::Internals::UploadBuffers(vtkOpenGLRenderWindow* window)
+{
+  if (this->BufferWindow == window)
+  {
+    return;
+  }
+  this->ReleaseBuffers();
+  for (const vtkBRDFShaderText::Buffer& buffer : this->Shader->Buffers())
+  {
+    auto texture = vtkSmartPointer<vtkTextureObject>::New();
+    vtkNew<vtkOpenGLBufferObject> object;
+    texture->SetContext(window);
+    if (buffer.Texels.size() / 4 > LargestBuffer() ||
+        !object->Upload(buffer.Texels.data(), buffer.Texels.size(), vtkOpenGLBufferObject::TextureBuffer) ||
+        !texture->CreateTextureBuffer(static_cast<unsigned int>(buffer.Texels.size() / 4), 4, VTK_FLOAT, object))
+    {
+      throw brdf::Error(brdf::Error::Kind::Device,
+                        { "the OpenGL device cannot hold the table",
+                          {},
+                          std::to_string(buffer.Texels.size() / 4) + " texels",
+                          "at most " + std::to_string(LargestBuffer()) });
+    }
+    this->Buffers.push_back(texture);
+  }
+  this->BufferWindow = window;
+}
 
 vtkStandardNewMacro(vtkBRDFPolyDataMapper);
 vtkCxxSetObjectMacro(vtkBRDFPolyDataMapper, Environment, vtkBRDFEnvironment);
@@ -83,32 +142,56 @@ void vtkBRDFPolyDataMapper::UpdateMaterial()
     throw brdf::Error(brdf::Error::Kind::Value, { "no BRDF to draw with", {}, {}, {} });
   }
   const brdf::ColourNames colours{ this->Illuminant, this->Observer, this->Adaptation };
-  if (input->GetBrdf() == this->Material->Brdf && colours == this->Material->Colours && this->Material->Shader)
+  if (input->GetBrdf() == this->Material->Brdf && colours == this->Material->Colours && this->Material->Shader &&
+      this->ResamplingTolerance == this->Material->Tolerance)
   {
     return;
   }
   this->Material->Brdf = input->GetBrdf();
   this->Material->Colours = colours;
+  this->Material->Tolerance = this->ResamplingTolerance;
+  const std::optional<vtkBRDFShaderText> before = std::move(this->Material->Shader);
+  this->Material->Shader.reset();
+  this->Material->Table = {};
+  this->Material->ReleaseBuffers();
   auto lobes = std::dynamic_pointer_cast<const brdf::LobeSum>(this->Material->Brdf);
   if (lobes && lobes->channels().kind == brdf::Channels::Kind::Spectral)
   {
-    // Where it cannot be, the shader says why.
-    const auto seen = brdf::lobesAsRgb(*lobes, brdf::colourSettings(colours));
-    lobes = seen ? seen : lobes;
+    // Null where its colours are no sum of lobes: then it is drawn as a table.
+    lobes = brdf::lobesAsRgb(*lobes, brdf::colourSettings(colours));
   }
-  if (!lobes)
+  if (lobes)
   {
-    this->Material->Shader.reset();
-    throw brdf::Error(
-      brdf::Error::Kind::Value,
-      { "only sums of analytic lobes can be drawn: fit one to measured data", {}, input->GetDescription(), {} });
+    this->Material->Shader.emplace(*lobes, before ? &*before : nullptr);
   }
-  const std::string before = this->Material->Shader ? this->Material->Shader->Structure() : std::string();
-  this->Material->Shader.emplace(*lobes);
-  if (this->Material->Shader->Structure() != before)
+  else
+  {
+    brdf::DrawnTableOptions options;
+    options.tolerance = this->ResamplingTolerance;
+    options.maximumTexels = std::min(options.maximumTexels, LargestBuffer());
+    this->Material->Table =
+      brdf::drawnTable(brdf::reducedToRgb(this->Material->Brdf, brdf::colourSettings(colours)), options);
+    this->Material->Shader.emplace(this->Material->Table, brdf::TabulatedSampler(*this->Material->Table.grid));
+  }
+  if (!before || this->Material->Shader->Structure() != before->Structure())
   {
     this->Material->StructureTime.Modified();
   }
+}
+
+bool vtkBRDFPolyDataMapper::GetResampled() const
+{
+  return this->Material->Table.resampled;
+}
+
+double vtkBRDFPolyDataMapper::GetResamplingError() const
+{
+  return this->Material->Table.error;
+}
+
+std::string vtkBRDFPolyDataMapper::GetTableLayout() const
+{
+  return this->Material->Table.grid ? this->Material->Table.grid->layout().text() : std::string();
 }
 
 void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
@@ -116,11 +199,16 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   this->ErrorText.clear();
   try
   {
+    auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     this->UpdateMaterial();
+    this->Material->UploadBuffers(window);
+    for (const auto& buffer : this->Material->Buffers)
+    {
+      buffer->Activate();
+    }
     if (this->Environment)
     {
-      this->Environment->UpdateTextures(static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow()),
-                                        this->Mode == MODE_CONVERGING);
+      this->Environment->UpdateTextures(window, this->Mode == MODE_CONVERGING);
       this->Environment->ActivateTextures();
     }
     if (this->Shadows)
@@ -128,6 +216,10 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       this->Shadows->Activate();
     }
     this->Superclass::RenderPiece(renderer, actor);
+    for (const auto& buffer : this->Material->Buffers)
+    {
+      buffer->Deactivate();
+    }
     if (this->Environment)
     {
       this->Environment->DeactivateTextures();
@@ -230,7 +322,20 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
   vtkShaderProgram* program = cellBO.Program;
   const vtkBRDFShaderText& shader = *this->Material->Shader;
   const auto& parameters = shader.Parameters();
-  program->SetUniform1fv("brdfParameters", static_cast<int>(parameters.size()), parameters.data());
+  if (!parameters.empty())
+  {
+    program->SetUniform1fv("brdfParameters", static_cast<int>(parameters.size()), parameters.data());
+  }
+  program->SetUniform3f("brdfTableBase", shader.TableBase().data());
+  const auto& shapes = shader.SamplerShapes();
+  if (!shapes.empty())
+  {
+    program->SetUniform1iv("brdfSamplerShapes", static_cast<int>(shapes.size()), shapes.data());
+  }
+  for (std::size_t i = 0; i < this->Material->Buffers.size(); ++i)
+  {
+    program->SetUniformi(shader.Buffers()[i].Name.c_str(), this->Material->Buffers[i]->GetTextureUnit());
+  }
   if (shader.NumberOfTerms() > 0)
   {
     const auto samples = shader.Samples(this->NumberOfSamples);
@@ -347,6 +452,10 @@ void vtkBRDFPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Environment->ReleaseGraphicsResources(window);
   }
+  if (this->Material->BufferWindow == window)
+  {
+    this->Material->ReleaseBuffers();
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -360,6 +469,7 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sequence: " << this->Sequence << "\n"
      << indent << "Seed: " << this->Seed << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
+     << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"
      << indent << "Observer: " << this->Observer << "\n"
      << indent << "Adaptation: " << this->Adaptation << "\n"

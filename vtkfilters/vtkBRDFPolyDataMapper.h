@@ -17,9 +17,12 @@ class vtkShaderProgram;
  * @class vtkBRDFPolyDataMapper
  * @brief Draws poly data with a BRDF under environment, directional and point light
  *
- * Input 0 is the geometry, input 1 the material: a sum of lobes (brdf::LobeSum). A spectral one is drawn in the
- * colours of its scale factors; where its parameters depend on the wavelength, or a colour lies outside sRGB, and for
- * measured data, there is an error that says so, and nothing is drawn.
+ * Input 0 is the geometry, input 1 the material: any BRDF. A sum of lobes (brdf::LobeSum) is drawn by the lobes' own
+ * formulas, a spectral one in the colours of its scale factors. Tables and grids are looked up as brdf::TableBrdf and
+ * brdf::GridBrdf do it. Everything else (scattered data, trees, patches, spectra whose shape depends on the wavelength)
+ * is tabulated first, and GetResamplingError() says how well. A table holds at most GL_MAX_TEXTURE_BUFFER_SIZE cells
+ * (65,536 on the least device that OpenGL 3.2 allows, 2^27 and more on those in use) of 16 bytes; a larger one is
+ * resampled too.
  *
  * What is drawn is outgoing radiance, linear, times 2^Exposure; with EncodeForDisplay it is sRGB-encoded, for the 8-bit
  * windows of interactive programs. The color, opacity aside, and the interpolation of the actor's property are not
@@ -29,8 +32,9 @@ class vtkShaderProgram;
  * N_l of NumberOfSamples by its estimated contribution and is summed on its own, L = sum_l 1/N_l sum_k f_l(wi_k)
  * cos(theta_k) / p_l(wi_k) * L_env(wi_k, solid angle 1 / (N_l p_l(wi_k))), with p_l the density of the lobe's own
  * sampler, which also chooses the level. It converges to the reflected radiance as N grows; at finite N the filter
- * blurs the light by about a sample's solid angle. A constant lobe takes the cosine-convolved map instead. Points are
- * R2, shifted per pixel.
+ * blurs the light by about a sample's solid angle. A constant lobe takes the cosine-convolved map instead; lobes whose
+ * record names no sampler, and tables, draw by importance tables made from their values (brdf::TabulatedSampler), whose
+ * density likewise chooses the level. Points are a lattice, shifted per pixel.
  *
  * In converging mode nothing is filtered: every drawing adds a few points of a scrambled Sobol sequence, each of which
  * draws one direction from the map's own density and one from the lobes together, combined by the balance heuristic
@@ -68,6 +72,21 @@ public:
   vtkGetMacro(Observer, std::string);
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
+  ///@}
+
+  ///@{
+  /** Relative error from which on a material that has to be tabulated is not tabulated more finely: see
+   * brdf::DrawnTable; more than 0, default 0.02. */
+  vtkSetMacro(ResamplingTolerance, double);
+  vtkGetMacro(ResamplingTolerance, double);
+  ///@}
+
+  ///@{
+  /** What the last drawing did to the material. Resampled: whether it was tabulated for it. ResamplingError: the
+   * relative error of that, 0 where there is none. TableLayout: axes and sizes of the table drawn, empty for lobes. */
+  bool GetResampled() const;
+  double GetResamplingError() const;
+  std::string GetTableLayout() const;
   ///@}
 
   ///@{
@@ -189,6 +208,7 @@ private:
   vtkBRDFShadows* Shadows = nullptr;
   std::string ErrorText;
   int NumberOfSamples = 64;
+  double ResamplingTolerance = 0.02;
   double LevelBias = 0;
   int Mode = MODE_INTERACTIVE;
   int Sequence = SEQUENCE_LOW_DISCREPANCY;

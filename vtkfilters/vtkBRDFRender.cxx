@@ -245,6 +245,7 @@ void vtkBRDFRender::PrepareObjects(vtkInformationVector** inputs)
     object->Mapper->SetEnvironment(this->Environment);
     object->Mapper->SetNumberOfSamples(this->NumberOfSamples);
     object->Mapper->SetLevelBias(this->LevelBias);
+    object->Mapper->SetResamplingTolerance(this->ResamplingTolerance);
     object->Mapper->SetMode(this->Mode);
     object->Mapper->SetSequence(this->Sequence);
     object->Mapper->SetExposure(this->Exposure);
@@ -567,6 +568,33 @@ std::string vtkBRDFRender::GetDeviceDescription()
   return this->GetScene().Window->GetDeviceDescription();
 }
 
+double vtkBRDFRender::GetResamplingError()
+{
+  double error = -1;
+  if (this->Graphics)
+  {
+    for (Scene::Object* object : this->Graphics->Objects())
+    {
+      error = std::max(error, object->Mapper->GetResampled() ? object->Mapper->GetResamplingError() : -1);
+    }
+  }
+  return error;
+}
+
+std::string vtkBRDFRender::GetTableLayouts()
+{
+  std::string lines;
+  if (this->Graphics)
+  {
+    for (Scene::Object* object : this->Graphics->Objects())
+    {
+      const std::string layout = object->Mapper->GetTableLayout();
+      lines += layout.empty() ? layout : layout + "\n";
+    }
+  }
+  return lines;
+}
+
 int vtkBRDFRender::GetNumberOfShaderBuilds()
 {
   int builds = 0;
@@ -591,6 +619,7 @@ void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "MaximumSamples: " << this->MaximumSamples << "\n"
      << indent << "Sequence: " << this->Sequence << "\n"
      << indent << "Seed: " << this->Seed << "\n"
+     << indent << "ResamplingTolerance: " << this->ResamplingTolerance << "\n"
      << indent << "EdgeSamples: " << this->EdgeSamples << "\n"
      << indent << "Exposure: " << this->Exposure << "\n"
      << indent << "Illuminant: " << this->Illuminant << "\n"

@@ -23,7 +23,7 @@ struct Scene;
  * @class vtkBRDFRender
  * @brief Renders an object of a material under environment, directional and point light into a picture of radiance
  *
- * Input 0: the material (a sum of lobes, monochrome or RGB; see vtkBRDFPolyDataMapper). Input 1, optional: the object,
+ * Input 0: the material, any BRDF (see vtkBRDFPolyDataMapper). Input 1, optional: the object,
  * vtkPolyData; without it a sphere of radius 1 about the origin whose tangents run around the vertical. Normals are
  * made where the object has none (splitting edges sharper than 40 degrees). More objects, each of its own material, are
  * added by AddObject; where there are any, input 0 may be missing. Output: vtkImageData, linear radiance times
@@ -138,6 +138,19 @@ public:
   /** See vtkBRDFPolyDataMapper; default 0. */
   vtkSetMacro(LevelBias, double);
   vtkGetMacro(LevelBias, double);
+  ///@}
+
+  ///@{
+  /** Of materials that have to be tabulated for drawing: see vtkBRDFPolyDataMapper; default 0.02. */
+  vtkSetMacro(ResamplingTolerance, double);
+  vtkGetMacro(ResamplingTolerance, double);
+  ///@}
+
+  ///@{
+  /** What the last picture did to its materials. ResamplingError: the largest relative error of those that were
+   * tabulated for it, -1 where none was. TableLayouts: axes and sizes of each table drawn, a line each. */
+  double GetResamplingError();
+  std::string GetTableLayouts();
   ///@}
 
   ///@{
@@ -302,6 +315,7 @@ private:
   double RelativeError = 0;
   bool Converged = false;
   vtkNew<vtkImageData> StandardError;
+  double ResamplingTolerance = 0.02;
   int EdgeSamples = 8;
   double Exposure = 0;
   std::string Illuminant;

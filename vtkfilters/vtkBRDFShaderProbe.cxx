@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdlib>
+#include <memory>
 
 namespace
 {
@@ -33,6 +34,38 @@ struct Owned
   ~Owned() { this->Remove(this->Name); }
   Owned(const Owned&) = delete;
   void operator=(const Owned&) = delete;
+};
+
+// Texels of four floats, bound as a texture buffer to a unit.
+class BufferTexture
+{
+public:
+  BufferTexture(const std::vector<float>& texels, GLenum unit)
+    : Unit(unit)
+  {
+    glGenBuffers(1, &this->Data);
+    glGenTextures(1, &this->Texture);
+    glBindBuffer(GL_TEXTURE_BUFFER, this->Data);
+    glBufferData(GL_TEXTURE_BUFFER, static_cast<GLsizeiptr>(texels.size() * sizeof(float)), texels.data(), GL_STATIC_DRAW);
+    glActiveTexture(unit);
+    glBindTexture(GL_TEXTURE_BUFFER, this->Texture);
+    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, this->Data);
+    glActiveTexture(GL_TEXTURE0);
+  }
+  ~BufferTexture()
+  {
+    glActiveTexture(this->Unit);
+    glBindTexture(GL_TEXTURE_BUFFER, 0);
+    glActiveTexture(GL_TEXTURE0);
+    glDeleteTextures(1, &this->Texture);
+    glDeleteBuffers(1, &this->Data);
+  }
+  BufferTexture(const BufferTexture&) = delete;
+  void operator=(const BufferTexture&) = delete;
+
+private:
+  GLenum Unit;
+  GLuint Data = 0, Texture = 0;
 };
 
 // The line of the first error that a driver's log names: "0:12(5): error" (Mesa) or "0(12) : error" (NVIDIA).
@@ -136,7 +169,8 @@ std::string vtkBRDFShaderProbe::GetDeviceDescription()
 }
 
 std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(
-  const std::string& functions, const std::vector<Column>& columns, const std::vector<std::string>& expressions)
+  const std::string& functions, const std::vector<Column>& columns, const std::vector<std::string>& expressions,
+  const std::vector<Buffer>& buffers)
 {
   if (columns.empty() || columns.size() > kMaximumColumns || expressions.empty() || expressions.size() > 4)
   {
@@ -185,6 +219,12 @@ std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(
   glGenVertexArrays(1, &name);
   const Owned vertices(name, [](GLuint object) { glDeleteVertexArrays(1, &object); });
 
+  std::vector<std::unique_ptr<BufferTexture>> textures;
+  for (const Buffer& buffer : buffers)
+  {
+    textures.push_back(std::make_unique<BufferTexture>(buffer.Texels, GL_TEXTURE1 + static_cast<GLenum>(textures.size())));
+  }
+
   const std::size_t passRows = std::min((count + kWidth - 1) / kWidth, kHeight);
   const auto width = static_cast<GLsizei>(kWidth), height = static_cast<GLsizei>(std::max<std::size_t>(passRows, 1));
   const auto layers = static_cast<GLsizei>(columns.size());
@@ -212,6 +252,10 @@ std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(
   glBindVertexArray(vertices.Name);
   glUseProgram(program.Name);
   glUniform1i(glGetUniformLocation(program.Name, "brdfProbeColumns"), 0);
+  for (std::size_t k = 0; k < buffers.size(); ++k)
+  {
+    glUniform1i(glGetUniformLocation(program.Name, buffers[k].Name.c_str()), static_cast<GLint>(k + 1));
+  }
 
   std::vector<std::vector<float>> results(expressions.size(), std::vector<float>(count));
   const std::size_t passCount = kWidth * passRows;

@@ -26,6 +26,13 @@ public:
     std::vector<float> Values;
   };
 
+  /** A samplerBuffer that the functions declare, with its texels of four floats. */
+  struct Buffer
+  {
+    std::string Name;
+    std::vector<float> Texels;
+  };
+
   /** Throws when there is no headless OpenGL 3.3 context. */
   vtkBRDFShaderProbe();
   ~vtkBRDFShaderProbe();
@@ -38,7 +45,8 @@ public:
    * An error of compilation names the line and shows it.
    */
   std::vector<std::vector<float>> Evaluate(
-    const std::string& functions, const std::vector<Column>& columns, const std::vector<std::string>& expressions);
+    const std::string& functions, const std::vector<Column>& columns, const std::vector<std::string>& expressions,
+    const std::vector<Buffer>& buffers = {});
 
   /** OpenGL's own name and version. */
   std::string GetDeviceDescription();

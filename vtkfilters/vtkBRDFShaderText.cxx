@@ -3,6 +3,7 @@
 #include "brdfShaders.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/material/GridShader.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,7 @@ std::string Arguments(std::size_t count, std::size_t first)
 }
 }
 
-vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
+vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material, const vtkBRDFShaderText* before)
 {
   const brdf::Channels& channels = material.channels();
   if (channels.kind == brdf::Channels::Kind::Spectral)
@@ -49,6 +50,10 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
       this->Terms.push_back({ lobe.model.get(),
                               this->ParameterValues.size(),
                               material.samplingWeights()[index] / static_cast<double>(terms) });
+      if (!lobe.model->namesSampler() && !lobe.model->constant())
+      {
+        this->Terms.back().Sampler = this->AddSamplerOf(lobe, term, before);
+      }
       const auto& values = lobe.parametersOf(term);
       for (std::size_t k = 0; k < values.size(); ++k)
       {
@@ -62,11 +67,58 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::LobeSum& material)
       this->StructureText += lobe.model->name() + "\n";
     }
   }
-  // An array of length zero is not GLSL: keep one number when no lobe has parameters.
-  if (this->ParameterValues.empty())
+}
+
+vtkBRDFShaderText::vtkBRDFShaderText(const brdf::DrawnTable& table, const brdf::TabulatedSampler& sampler)
+{
+  brdf::GridShader shader = brdf::gridShader(*table.grid, "brdfTable");
+  this->TableText = std::move(shader.glsl);
+  this->StructureText = this->TableText;
+  this->BufferValues.push_back({ "brdfTable_cells", std::move(shader.texels) });
+  this->Terms.push_back({ nullptr, 0, 1.0, this->AddSampler(sampler, true) });
+  this->ScaleValues = { 1.0f, 1.0f, 1.0f };
+  for (std::size_t channel = 0; channel < 3; ++channel)
   {
-    this->ParameterValues.push_back(0.0f);
+    this->TableBaseValues[channel] = static_cast<float>(table.base.at(table.base.size() == 1 ? 0 : channel));
   }
+}
+
+// Takes the importance tables of a term; their number. Where they are not final, the structure leaves room for larger
+// ones.
+int vtkBRDFShaderText::AddSampler(const brdf::TabulatedSampler& sampler, bool final)
+{
+  const brdf::TabulatedSampler::Texels texels = sampler.texels();
+  const auto found = std::find_if(this->BufferValues.begin(),
+                                  this->BufferValues.end(),
+                                  [](const Buffer& buffer) { return buffer.Name == "brdfSamplers"; });
+  Buffer& buffer =
+    found == this->BufferValues.end() ? this->BufferValues.emplace_back(Buffer{ "brdfSamplers", {} }) : *found;
+  this->SamplerShapeValues.insert(this->SamplerShapeValues.end(),
+                                  { static_cast<int>(buffer.Texels.size() / 4), texels.thetas, texels.phis });
+  buffer.Texels.insert(buffer.Texels.end(), texels.numbers.begin(), texels.numbers.end());
+  this->Samplers.push_back({ texels.kind, texels.turning, final ? texels.search : 128 });
+  this->StructureText += std::string(brdf::name(texels.kind)) + (texels.turning ? ", turning, " : ", ") +
+                         std::to_string(this->Samplers.back().Search) + "\n";
+  return static_cast<int>(this->Samplers.size()) - 1;
+}
+
+// Importance tables of a lobe at one channel's parameters.
+int vtkBRDFShaderText::AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before)
+{
+  brdf::Lobe alone{ lobe.model, {}, { 1.0 } };
+  for (const double value : lobe.parametersOf(channel))
+  {
+    alone.parameters.push_back({ value });
+  }
+  const brdf::LobeSum shape({ alone }, brdf::Channels::monochrome());
+  brdf::SamplerOptions options;
+  options.tolerance = 0.2; // a fifth more samples' worth of noise, for tables made anew whenever a slider moves
+  const auto known = before ? before->SamplerKinds.find(lobe.model) : this->SamplerKinds.end();
+  const bool keep = before && known != before->SamplerKinds.end();
+  const brdf::TabulatedSampler sampler =
+    keep ? brdf::TabulatedSampler(shape, known->second, options) : brdf::TabulatedSampler(shape, options);
+  this->SamplerKinds[lobe.model] = sampler.report().kind;
+  return this->AddSampler(sampler, false);
 }
 
 std::vector<int> vtkBRDFShaderText::Samples(int samples) const
@@ -75,13 +127,13 @@ std::vector<int> vtkBRDFShaderText::Samples(int samples) const
   double total = 0;
   for (const Term& term : this->Terms)
   {
-    total += term.Model->constant() ? 0 : term.Weight;
+    total += term.Constant() ? 0 : term.Weight;
   }
   std::vector<int> counts;
-  for (std::size_t i = 0; i < this->Terms.size(); ++i)
+  for (const Term& term : this->Terms)
   {
-    const bool needed = !this->Terms[i].Model->constant() && this->Terms[i].Weight > 0;
-    const double share = needed ? this->Terms[i].Weight / total : 0;
+    const bool needed = !term.Constant() && term.Weight > 0;
+    const double share = needed ? term.Weight / total : 0;
     counts.push_back(needed ? std::max(std::min(samples, 8), static_cast<int>(std::lround(share * samples))) : 0);
   }
   return counts;
@@ -102,38 +154,110 @@ std::vector<float> vtkBRDFShaderText::Shares() const
   return shares;
 }
 
-// The functions of one term, which every way of drawing is written with: value with its scale, draw and density.
+// The functions of one term, which every way of drawing is written with: value, draw and density.
 std::string vtkBRDFShaderText::TermText(std::size_t index) const
 {
   const Term& term = this->Terms[index];
-  const std::string name = "brdfTerm" + std::to_string(index), model = "brdf_" + term.Model->name();
-  const std::string arguments = Arguments(term.Model->parameters().size(), term.Offset) + ");\n}\n";
-  return "float " + name + "_shape(vec3 wi, vec3 wo)\n{\n  return " + model + "(wi, wo" + arguments + "vec3 " + name +
-         "_value(vec3 wi, vec3 wo)\n{\n  return brdfScales[" + std::to_string(index) + "] * " + name +
-         "_shape(wi, wo);\n}\nvec3 " + name + "_sample(vec3 wo, vec2 u)\n{\n  return " + model + "_sample(wo, u" +
-         arguments + "float " + name + "_pdf(vec3 wi, vec3 wo)\n{\n  return " + model + "_pdf(wi, wo" + arguments;
+  const std::string name = "brdfTerm" + std::to_string(index);
+  std::string text, arguments;
+  if (term.Model)
+  {
+    arguments = Arguments(term.Model->parameters().size(), term.Offset) + ");\n}\n";
+    text = "float " + name + "_shape(vec3 wi, vec3 wo)\n{\n  return brdf_" + term.Model->name() + "(wi, wo" + arguments;
+  }
+  else
+  {
+    text = "vec3 " + name + "_shape(vec3 wi, vec3 wo)\n{\n  return brdfTable(wi, wo);\n}\n";
+  }
+  text += "vec3 " + name + "_value(vec3 wi, vec3 wo)\n{\n  return brdfScales[" + std::to_string(index) + "] * " + name +
+          "_shape(wi, wo);\n}\n";
+  if (term.Sampler >= 0)
+  {
+    return text + this->SamplerText(index);
+  }
+  const std::string model = "brdf_" + term.Model->name();
+  return text + "vec3 " + name + "_sample(vec3 wo, vec2 u)\n{\n  return " + model + "_sample(wo, u" + arguments +
+         "float " + name + "_pdf(vec3 wi, vec3 wo)\n{\n  return " + model + "_pdf(wi, wo" + arguments;
+}
+
+// Draw and density by importance tables: NAME_draw and NAME_density for a viewer at hand, and the two that every term
+// has.
+std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
+{
+  using Kind = brdf::TabulatedSampler::Kind;
+  const int number = this->Terms[index].Sampler;
+  const auto& [kind, turning, search] = this->Samplers[static_cast<std::size_t>(number)];
+  const std::string first = kind == Kind::Light ? "Light" : "Half";
+  const std::string draw = kind == Kind::HalfAndRetro ? "part == 2 ? brdfFromRetro(v, point) : brdfFromHalf(v, point)"
+                                                      : "brdfFrom" + first + "(v, point)";
+  const std::string retro =
+    kind == Kind::HalfAndRetro ? "    density += brdfChartDensity(S, v, TURNING, 1, brdfToRetro(v, wi));\n" : "";
+  std::string text =
+    "brdfSampler S = brdfSampler(brdfSamplerShapes[A], brdfSamplerShapes[B], brdfSamplerShapes[C], "
+    "D);\n"
+    "vec3 NAME_draw(brdfViewer v, vec2 u)\n"
+    "{\n"
+    "  ivec3 table;\n"
+    "  int part = brdfPart(v, TURNING, u.x, table);\n"
+    "  vec2 point = brdfTableDraw(table, S.search, u);\n"
+    "  vec3 wi = part == 0 ? brdfCosineDraw(u) : " +
+    draw +
+    ";\n"
+    "  return wi.z > 0.0 && v.wo.z > 0.0 ? wi : vec3(0.0);\n"
+    "}\n"
+    "float NAME_density(brdfViewer v, vec3 wi)\n"
+    "{\n"
+    "  float density = brdfCosineDensity(v, TURNING, wi);\n"
+    "  density += brdfChartDensity(S, v, TURNING, 0, brdfTo" +
+    first + "(v, wi));\n" + retro +
+    "  return wi.z > 0.0 && v.wo.z > 0.0 ? density : 0.0;\n"
+    "}\n"
+    "vec3 NAME_sample(vec3 wo, vec2 u)\n{\n  return NAME_draw(brdfViewerOf(S, wo, TURNING), u);\n}\n"
+    "float NAME_pdf(vec3 wi, vec3 wo)\n{\n  return NAME_density(brdfViewerOf(S, wo, TURNING), wi);\n}\n";
+  const std::pair<const char*, std::string> names[] = { { "NAME", "brdfTerm" + std::to_string(index) },
+                                                        { "TURNING", turning ? "true" : "false" },
+                                                        { "\\bS\\b", "brdfSampler" + std::to_string(number) },
+                                                        { "\\bA\\b", std::to_string(3 * number) },
+                                                        { "\\bB\\b", std::to_string(3 * number + 1) },
+                                                        { "\\bC\\b", std::to_string(3 * number + 2) },
+                                                        { "\\bD\\b", std::to_string(search) } };
+  for (const auto& [from, to] : names)
+  {
+    text = std::regex_replace(text, std::regex(from), to);
+  }
+  return text;
 }
 
 // Environment light on one term by filtered importance sampling, without its scale. Several samples a turn, each step
 // for all of them: on processors a sample is one long chain of dependent operations, and chains side by side overlap.
 std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
 {
-  constexpr int together = 3;
+  const Term& term = this->Terms[index];
+  const bool tables = term.Sampler >= 0;
+  const int together = tables ? 2 : 3;
   const std::string name = "brdfTerm" + std::to_string(index);
+  const std::string type = term.Model ? "float" : "vec3";
   std::string text = "vec3 " + name +
                      "_reflected(vec3 wo, mat3 frame, uvec2 shift, int samples)\n"
                      "{\n"
                      "  vec3 sum = vec3(0.0);\n"
-                     "  float share = 1.0 / float(max(samples, 1));\n"
-                     "  for (int i = 0; i < samples; i += " +
-                     std::to_string(together) + ")\n  {\n";
-  const std::string lines[] = { "vec3 wi# = " + name + "_sample(wo, brdfPoint(i + #, share, shift));\n",
-                                "float density# = " + name + "_pdf(wi#, wo);\n",
-                                "float inverse# = share / density#;\n",
-                                "float weight# = " + name + "_shape(wi#, wo) * wi#.z * inverse#;\n",
-                                "bool counts# = i + # < samples && wi#.z > 0.0 && density# > 0.0;\n",
-                                "vec3 light# = brdfRadiance(frame * wi#, inverse#);\n",
-                                "sum += counts# ? light# * weight# : vec3(0.0);\n" };
+                     "  float share = 1.0 / float(max(samples, 1));\n";
+  if (tables)
+  {
+    text += "  brdfViewer viewer = brdfViewerOf(brdfSampler" + std::to_string(term.Sampler) + ", wo, " +
+            (this->Samplers[static_cast<std::size_t>(term.Sampler)].Turning ? "true" : "false") + ");\n";
+  }
+  text += "  for (int i = 0; i < samples; i += " + std::to_string(together) + ")\n  {\n";
+  const std::string lines[] = {
+    "vec3 wi# = " + name + (tables ? "_draw(viewer" : "_sample(wo") + ", brdfPoint(i + #, share, shift));\n",
+    "float density# = " + name + (tables ? "_density(viewer, wi#);\n" : "_pdf(wi#, wo);\n"),
+    "float inverse# = share / density#;\n",
+    type + " weight# = " + (term.Model ? name + "_shape(wi#, wo)" : "(" + name + "_shape(wi#, wo) - brdfTableBase)") +
+      " * (wi#.z * inverse#);\n",
+    "bool counts# = i + # < samples && wi#.z > 0.0 && density# > 0.0;\n",
+    "vec3 light# = brdfRadiance(frame * wi#, inverse#);\n",
+    "sum += counts# ? light# * weight# : vec3(0.0);\n"
+  };
   for (const std::string& line : lines)
   {
     for (int k = 0; k < together; ++k)
@@ -141,7 +265,9 @@ std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
       text += "    " + std::regex_replace(line, std::regex("#"), std::to_string(k));
     }
   }
-  return text + "  }\n  return sum;\n}\n";
+  // Light on the constant that the samples leave out.
+  return text + "  }\n  return sum" + (term.Model ? "" : " + 3.14159265 * brdfTableBase * brdfDiffuse(frame[2])") +
+         ";\n}\n";
 }
 
 std::string vtkBRDFShaderText::ValueText() const
@@ -161,7 +287,7 @@ std::string vtkBRDFShaderText::EnvironmentText() const
   {
     const std::string index = std::to_string(i), name = "brdfTerm" + index;
     text += "  radiance += brdfScales[" + index + "] * ";
-    if (this->Terms[i].Model->constant())
+    if (this->Terms[i].Constant())
     {
       // Any direction gives its value; pi turns irradiance / pi into irradiance.
       text += "(3.14159265 * " + name + "_shape(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0))) * brdfDiffuse(frame[2]);\n";
@@ -193,20 +319,36 @@ std::string vtkBRDFShaderText::MixtureText() const
   return sample + "  return vec3(0.0);\n}\n" + density + "  return density;\n}\n";
 }
 
-std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment environment) const
+std::string vtkBRDFShaderText::UniformText() const
 {
-  const std::string terms = std::to_string(std::max<std::size_t>(this->Terms.size(), 1));
-  std::vector<Piece> pieces;
-  pieces.push_back({ "formula prelude", brdf::Model::glslPrelude() });
-  std::string uniforms = "uniform float brdfParameters[" + std::to_string(this->ParameterValues.size()) +
-                         "];\nuniform vec3 brdfScales[" + terms + "];\nuniform int brdfSamples[" + terms + "];\n";
+  // An array of length zero is not GLSL: keep one number.
+  const auto length = [](std::size_t count) { return "[" + std::to_string(std::max<std::size_t>(count, 1)) + "];\n"; };
+  std::string text = "uniform float brdfParameters" + length(this->ParameterValues.size()) + "uniform vec3 brdfScales" +
+                     length(this->Terms.size()) + "uniform int brdfSamples" + length(this->Terms.size()) +
+                     "uniform vec3 brdfTableBase;\nuniform int brdfSamplerShapes" +
+                     length(this->SamplerShapeValues.size());
   // Read once a fragment: software devices fetch a uniform anew at every use, a tenth of the time of a loop of samples.
   for (std::size_t i = 0; i < this->ParameterValues.size(); ++i)
   {
     const std::string number = std::to_string(i);
-    uniforms += "float brdfParameter" + number + " = brdfParameters[" + number + "];\n";
+    text += "float brdfParameter" + number + " = brdfParameters[" + number + "];\n";
   }
-  pieces.push_back({ "uniforms of the material", uniforms });
+  return text;
+}
+
+std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment environment) const
+{
+  std::vector<Piece> pieces;
+  pieces.push_back({ "formula prelude", brdf::Model::glslPrelude() });
+  pieces.push_back({ "uniforms of the material", this->UniformText() });
+  if (!this->Samplers.empty())
+  {
+    pieces.push_back({ "brdf_sampler.glsl", std::string(File("brdf_sampler.glsl")) });
+  }
+  if (!this->TableText.empty())
+  {
+    pieces.push_back({ "table", this->TableText });
+  }
   const auto add = [&pieces](const char* file, const std::string& before = {}) {
     pieces.push_back({ file, before + (before.empty() ? "" : "#line 1\n") + std::string(File(file)) });
   };
@@ -223,7 +365,8 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment envi
   if (unfiltered)
   {
     add("brdf_light.glsl");
-    add("brdf_converging.glsl", "#define BRDF_TERMS " + terms + "\n");
+    add("brdf_converging.glsl",
+        "#define BRDF_TERMS " + std::to_string(std::max<std::size_t>(this->Terms.size(), 1)) + "\n");
   }
   for (const auto& model : this->Models)
   {
@@ -232,7 +375,7 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment envi
   for (std::size_t i = 0; i < this->Terms.size(); ++i)
   {
     pieces.push_back({ "term " + std::to_string(i), this->TermText(i) });
-    if (filtered && !this->Terms[i].Model->constant())
+    if (filtered && !this->Terms[i].Constant())
     {
       pieces.push_back({ "environment light on term " + std::to_string(i), this->ReflectedText(i) });
     }

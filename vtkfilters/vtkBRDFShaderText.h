@@ -1,27 +1,38 @@
 #ifndef vtkBRDFShaderText_h
 #define vtkBRDFShaderText_h
-#include <brdf/material/LobeSum.h>
+#include "vtkBRDFFiltersModule.h" // For export macro
 
+#include <brdf/material/LobeSum.h>
+#include <brdf/sampling/DrawnTable.h>
+#include <brdf/sampling/TabulatedSampler.h>
+
+#include <array>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
-// Text and numbers of the shader that draws a sum of lobes. Pure text: knows neither VTK nor OpenGL.
+// Text and numbers of the shader that draws a material. Pure text: knows neither VTK nor OpenGL.
 //
-// The sum is written as terms: a lobe whose shape the channels share is one term; a channel-dependent lobe is one term
-// a channel, which colours that channel only. Text() depends on the models and their order alone (Structure()), so that
-// changing a parameter or a scale changes numbers and never compiles.
+// A material is written as terms. Of a sum of lobes, a lobe whose shape the channels share is one term; a
+// channel-dependent lobe is one term a channel, which colours that channel only. A table is one term, its values and
+// importance tables in texture buffers. Text() depends on the models and their order, or on the layout of the table,
+// alone (Structure()), so that changing a parameter or a scale changes numbers and never compiles.
 //
 // For every term N, from 0, the text holds
 //   vec3  brdfTermN_value(vec3 wi, vec3 wo)    the term with its scale by channel, 1/sr; 0 below the horizon
 //   vec3  brdfTermN_sample(vec3 wo, vec2 u)    unit direction drawn from two numbers in [0, 1); a failed draw is 0
 //   float brdfTermN_pdf(vec3 wi, vec3 wo)      density of the draw over solid angle, 1/sr
-// in the local frame (normal +z, tangent +x). A constant term is drawn by the cosine.
-class vtkBRDFShaderText
+// in the local frame (normal +z, tangent +x). A constant term is drawn by the cosine; a lobe whose record names no
+// sampler, and a table, by importance tables made from their values (brdf::TabulatedSampler).
+class VTKBRDFFILTERS_EXPORT vtkBRDFShaderText
 {
 public:
-  // Channels: monochrome (drawn grey) or RGB; throws brdf::Error for spectral ones.
-  explicit vtkBRDFShaderText(const brdf::LobeSum& material);
+  // Channels: monochrome (drawn grey) or RGB; throws brdf::Error for spectral ones. Lobes that need importance tables
+  // keep the kind of those of `before`, where it has the same models, so that the structure stays.
+  explicit vtkBRDFShaderText(const brdf::LobeSum& material, const vtkBRDFShaderText* before = nullptr);
+
+  vtkBRDFShaderText(const brdf::DrawnTable& table, const brdf::TabulatedSampler& sampler);
 
   // Same text for the same structure.
   const std::string& Structure() const { return this->StructureText; }
@@ -47,6 +58,19 @@ public:
   // Shares of the terms in the draws of unfiltered light: their contribution; sum 1, or 0 where nothing reflects.
   std::vector<float> Shares() const;
 
+  // Texture buffers: the name of a samplerBuffer and its texels of four floats.
+  struct Buffer
+  {
+    std::string Name;
+    std::vector<float> Texels;
+  };
+  const std::vector<Buffer>& Buffers() const { return this->BufferValues; }
+  // Uniform brdfSamplerShapes: 3 integers for each set of importance tables.
+  const std::vector<int>& SamplerShapes() const { return this->SamplerShapeValues; }
+
+  // Uniform brdfTableBase: brdf::DrawnTable::base in three channels; 0 for lobes.
+  const std::array<float, 3>& TableBase() const { return this->TableBaseValues; }
+
   int NumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
 
   // Text of an embedded shader file.
@@ -60,10 +84,22 @@ private:
   };
   struct Term
   {
-    const brdf::Model* Model;
-    std::size_t Offset; // of its first parameter
-    double Weight;      // share of the samples
+    const brdf::Model* Model; // null: a table
+    std::size_t Offset;       // of its first parameter
+    double Weight;            // share of the samples
+    int Sampler = -1;         // number of its importance tables
+    bool Constant() const { return this->Model && this->Model->constant(); }
   };
+  struct Sampler
+  {
+    brdf::TabulatedSampler::Kind Kind;
+    bool Turning;
+    int Search; // largest step of a search
+  };
+  int AddSampler(const brdf::TabulatedSampler& sampler, bool final);
+  int AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before);
+  std::string UniformText() const;
+  std::string SamplerText(std::size_t index) const;
   std::vector<Piece> Pieces(Environment environment) const;
   std::string TermText(std::size_t index) const;
   std::string ReflectedText(std::size_t index) const;
@@ -75,6 +111,12 @@ private:
   std::vector<Term> Terms;
   std::vector<float> ParameterValues;
   std::vector<float> ScaleValues;
+  std::vector<Sampler> Samplers;
+  std::map<brdf::ModelPointer, brdf::TabulatedSampler::Kind> SamplerKinds; // of lobes
+  std::vector<int> SamplerShapeValues;
+  std::vector<Buffer> BufferValues;
+  std::string TableText; // the look-up of a table
+  std::array<float, 3> TableBaseValues{};
   std::string StructureText;
 };
 

@@ -95,18 +95,20 @@ struct RenderPicture {
   ColourNames colours;
   std::size_t samples = 64;     ///< of the environment, a pixel
   std::string shadows = "all";  ///< or "lights", "none"
-  double exposure = 0;       ///< stops
+  double exposure = 0;          ///< stops
   std::string toneCurve = "clamp";
   std::vector<std::string> out;  ///< .png: tone-mapped sRGB; .exr: linear radiance
 };
 struct RenderedFrame {
   Image radiance;  ///< linear sRGB; over no background with alpha
   std::string device;
-  Image standardError;       ///< of each number of `radiance` without alpha; this and the rest where it converges
-  std::size_t samples = 0;   ///< drawn a pixel
-  double relativeError = 0;  ///< as the tolerance means it
-  bool converged = false;    ///< relativeError <= tolerance
-  bool stopped = false;      ///< by the progress function
+  Image standardError;          ///< of each number of `radiance` without alpha; this and the rest where it converges
+  std::size_t samples = 0;      ///< drawn a pixel
+  double relativeError = 0;     ///< as the tolerance means it
+  bool converged = false;       ///< relativeError <= tolerance
+  bool stopped = false;         ///< by the progress function
+  std::string tables;           ///< layouts of the tables drawn, a line each
+  double resamplingError = -1;  ///< largest relative error of tables made for drawing (brdf::DrawnTable); -1: none
 };
 /// Draws one scene after another on the graphics device, keeping shaders and maps; one thread at a time.
 using FrameDrawer = std::function<RenderedFrame(const Scene&, const RenderPicture&)>;

@@ -130,7 +130,8 @@ inline double GridLocator::Axis::position(double coordinate) const {
 }
 
 GridLocator::GridLocator(const GridLayout& layout, bool cells) {
-  std::string text = forwardMap(layout);
+  std::string& text = coordinates_;
+  text = forwardMap(layout);
   std::size_t stride = 1;
   for (const GridAxis& axis : layout.axes) {
     const std::size_t count = axis.size();

@@ -15,6 +15,24 @@ class GridLocator {
   /// `cells` true: which cell a pair is in; false: which nodes it is between.
   GridLocator(const GridLayout& layout, bool cells);
 
+  /// Ascending points of one axis in its scale, and where a coordinate lies among them.
+  struct Axis {
+    std::vector<double> points;
+    std::size_t count;   ///< cells
+    std::size_t stride;  ///< of the grid
+    bool uniform;
+    double origin, inverseStep;
+    std::vector<std::uint32_t> buckets;  ///< where points are not equally spaced: last point at or below each bucket
+    bool bounded;                        ///< pairs below `low` or above `high` are outside
+    double low, high;
+
+    void prepare();
+    double position(double coordinate) const;  ///< in [0, points.size() - 1]; where points are not equally spaced
+  };
+  const std::vector<Axis>& axes() const { return axes_; }
+  /// A formula that assigns coordinate_0, coordinate_1, ..., where a pair lies on each of the axes in its scale.
+  const std::string& coordinates() const { return coordinates_; }
+
   /// Axes with more than one node: the others change nothing.
   std::size_t dimensions() const { return axes_.size(); }
 
@@ -33,21 +51,8 @@ class GridLocator {
   void locate(const DirectionPairs<T>& pairs, Block<T>& block) const;
 
  private:
-  /// Ascending points of one axis in its scale, and where a coordinate lies among them.
-  struct Axis {
-    std::vector<double> points;
-    std::size_t count;   ///< cells
-    std::size_t stride;  ///< of the grid
-    bool uniform;
-    double origin, inverseStep;
-    std::vector<std::uint32_t> buckets;  ///< where points are not equally spaced: last point at or below each bucket
-    bool bounded;                        ///< pairs below `low` or above `high` are outside
-    double low, high;
-
-    void prepare();
-    double position(double coordinate) const;  ///< in [0, points.size() - 1]; where points are not equally spaced
-  };
   std::vector<Axis> axes_;
+  std::string coordinates_;
   std::optional<formula::Program> program_;
 };
 

@@ -138,6 +138,25 @@ std::size_t PolarTable::bytes() const {
   return sizeof(double) * (rowEnds_.size() + columnEnds_.size() + rowShare_.size() + cellShare_.size());
 }
 
+void PolarTable::appendTexels(std::vector<float>& texels) const {
+  if (rows() == 0) return;
+  const auto append = [&texels](const double* ends, const double* shares, std::size_t cells) {
+    // A cell without width hands its share on to the next one that has some; the last that has some gets the rest.
+    std::vector<float> end(cells + 1), share(cells + 1);
+    for (std::size_t k = 0; k <= cells; ++k) {
+      end[k] = static_cast<float>(ends[k]);
+      share[k] = static_cast<float>(shares[k]);
+    }
+    for (std::size_t k = 1; k < cells; ++k)
+      if (!(end[k] > end[k - 1])) share[k] = share[k - 1];
+    for (std::size_t k = cells; k > 0 && !(end[k] > end[k - 1]); --k) share[k - 1] = share[k];
+    for (std::size_t k = 0; k < cells; ++k) texels.insert(texels.end(), {end[k], share[k], end[k + 1], share[k + 1]});
+  };
+  append(rowEnds_.data(), rowShare_.data(), rows());
+  for (std::size_t row = 0; row < rows(); ++row)
+    append(columnEnds_.data(), cellShare_.data() + row * (columns() + 1), columns());
+}
+
 void PolarTable::draw(double u, double v, double& x, double& phi) const {
   const auto place = [](const double* shares, const double* ends, std::size_t cells, double number, double& result) {
     const std::size_t k = cellOf(shares, cells, number);

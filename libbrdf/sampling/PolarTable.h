@@ -24,6 +24,14 @@ class PolarTable {
   std::size_t cells() const { return rowEnds_.size() < 2 ? 0 : (rowEnds_.size() - 1) * (columnEnds_.size() - 1); }
   std::size_t bytes() const;
 
+  std::size_t rows() const { return rowEnds_.empty() ? 0 : rowEnds_.size() - 1; }
+  std::size_t columns() const { return columnEnds_.empty() ? 0 : columnEnds_.size() - 1; }
+  /// Appends the table as texels of four floats, for shaders/brdf_sampler.glsl: for each row its two ends in x and the
+  /// cumulated share of the rows at them, (x, share, next x, next share); then, row by row, each cell likewise, (phi,
+  /// share of the row, next phi, next share). Neighbours share their ends exactly, so that draw and density of the
+  /// rounded table are exact inverses again; cells that rounding leaves without width hold no share.
+  void appendTexels(std::vector<float>& texels) const;
+
   /// A point from two numbers in [0, 1). The table must not be empty.
   void draw(double u, double v, double& x, double& phi) const;
   /// Density of `draw` per solid angle d omega = 2 dx dphi; 0 outside of the table.

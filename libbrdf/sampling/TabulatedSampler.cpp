@@ -115,6 +115,24 @@ class TabulatedSampler::Tables {
     }
   }
 
+  Texels texels() const {
+    Texels result{kind_, turning_, static_cast<int>(thetas_), static_cast<int>(phis_), 1, {}};
+    std::vector<float>& numbers = result.numbers;
+    numbers.resize(12 * nodes_.size());
+    for (std::size_t k = 0; k < nodes_.size(); ++k) {
+      for (std::size_t c = 0; c < 3; ++c) numbers[12 * k + c] = static_cast<float>(nodes_[k].shares[c]);
+      for (std::size_t c = 0; c < 2; ++c) {
+        const PolarTable& table = nodes_[k].tables[c];
+        const std::size_t sizes[] = {table.rows(), table.columns(), numbers.size() / 4};
+        std::copy(std::begin(sizes), std::end(sizes),
+                  numbers.begin() + static_cast<std::ptrdiff_t>(12 * k + 4 * (c + 1)));
+        while (2 * static_cast<std::size_t>(result.search) < std::max(sizes[0], sizes[1])) result.search *= 2;
+        table.appendTexels(numbers);
+      }
+    }
+    return result;
+  }
+
   void describe(Report& report) const {
     report.kind = kind_;
     report.viewers = nodes_.size();
@@ -298,6 +316,8 @@ void TabulatedSampler::sample(const std::array<const double*, 3>& wo, const std:
 }
 
 void TabulatedSampler::pdf(const DirectionPairs<double>& pairs, double* density) const { tables_->pdf(pairs, density); }
+
+TabulatedSampler::Texels TabulatedSampler::texels() const { return tables_->texels(); }
 
 const char* name(TabulatedSampler::Kind kind) {
   switch (kind) {

@@ -66,6 +66,19 @@ class BRDF_EXPORT TabulatedSampler {
 
   const Report& report() const { return report_; }
 
+  /// The tables as a shader reads them (shaders/brdf_sampler.glsl): texels of four floats.
+  struct Texels {
+    Kind kind = Kind::Half;
+    bool turning = true;  ///< the surface may be turned: no azimuths of viewers
+    int thetas = 0, phis = 0;
+    int search = 1;  ///< a power of two, at least half the cells of the longest row or column
+    /// For each viewer three texels, theta by theta, then azimuth by azimuth: (share of the cosine, of the first chart,
+    /// of the second, 0), then for both charts (rows, columns, texel of its first row, 0); after these the tables
+    /// (PolarTable::appendTexels).
+    std::vector<float> numbers;
+  };
+  Texels texels() const;
+
  private:
   class Tables;
   void choose(const Brdf& brdf, std::span<const Kind> kinds, const SamplerOptions& options);

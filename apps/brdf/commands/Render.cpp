@@ -10,7 +10,6 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/io/ImageFile.h>
-#include <brdf/material/LobeSum.h>
 
 #include <algorithm>
 #include <chrono>
@@ -32,13 +31,6 @@ struct Values {
   std::size_t turntable = 0;
   std::string turn = "object";
 };
-
-/// Whether the graphics device can draw all of it: sums of lobes, which alone have shaders.
-bool hasShaders(const Scene& scene) {
-  return std::ranges::all_of(scene.materials, [](const BrdfPointer& material) {
-    return dynamic_cast<const LobeSum*>(material.get()) != nullptr;
-  });
-}
 
 double meanOf(const Image& image) {
   double sum = 0;
@@ -106,6 +98,17 @@ void runReference(const Output& output, const Values& values, const Scene& scene
     throw Error(Error::Kind::Value, {"interrupted; the picture so far was kept", "brdf render", "", ""});
 }
 
+/// What drawing made of materials that are no sums of lobes.
+void reportTables(const Output& output, const RenderedFrame& frame, nlohmann::json& report) {
+  report["tables"] = nlohmann::json::array();
+  for (const std::string_view layout : split(frame.tables, '\n'))
+    if (!layout.empty()) report["tables"].push_back(layout);
+  if (!(frame.resamplingError >= 0)) return;
+  report["resampling_error"] = frame.resamplingError;
+  output.line("  note: drawn by a table made for it, relative error " + number(frame.resamplingError) +
+              " in the worst region of directions; --reference needs none");
+}
+
 void runDevice(const Output& output, const Values& values, const Scene& scene) {
   const auto start = std::chrono::steady_clock::now();
   const RenderedFrame frame = pictures().frameDrawer()(scene, values.picture);
@@ -115,6 +118,7 @@ void runDevice(const Output& output, const Values& values, const Scene& scene) {
               " samples a pixel, mean radiance " + number(meanOf(frame.radiance)) + ", " + formatNumber(seconds, 3) +
               " s on " + frame.device);
   nlohmann::json report = subjectJson(values, scene);
+  reportTables(output, frame, report);
   report.update({{"samples", values.picture.samples},
                  {"shadows", values.picture.shadows},
                  {"mean_radiance", meanOf(frame.radiance)},
@@ -144,6 +148,7 @@ void runConverging(const Output& output, const Values& values, const Scene& scen
     text += "\n  note: the tolerance " + formatNumber(tolerance) + " was not reached";
   output.line(text);
   nlohmann::json report = subjectJson(values, scene);
+  reportTables(output, frame, report);
   report.update({{"samples", frame.samples},
                  {"tolerance", tolerance},
                  {"relative_error", frame.relativeError},
@@ -230,9 +235,6 @@ void run(const Output& output, Values values) {
   const Scene scene = arrangeScene(values.subject);
   if (values.turn == "environment" && !scene.environment)
     throw Error(Error::Kind::Usage, {"no environment to turn", "--turn", "environment", "--light env:FILE"});
-  const bool shaders = hasShaders(scene);
-  if (!shaders && !values.reference) output.line("Not a sum of lobes: drawn by the reference renderer.");
-  const bool reference = values.reference || !shaders;
   const std::size_t usual = values.reference ? values.options.samples : values.picture.samples;
   values.options.samples = std::max<std::size_t>(2, values.samples > 0 ? values.samples : usual);
   values.options.tolerance = values.tolerance.value_or(values.converge ? ConvergeOptions().tolerance : 0);
@@ -243,8 +245,8 @@ void run(const Output& output, Values values) {
   }
   values.picture.samples = values.samples > 0 ? values.samples : values.picture.samples;
   if (values.turntable > 0)
-    runTurntable(output, values, scene, reference);
-  else if (reference)
+    runTurntable(output, values, scene, values.reference);
+  else if (values.reference)
     runReference(output, values, scene);
   else if (values.converge)
     runConverging(output, values, scene);

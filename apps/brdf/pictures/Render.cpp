@@ -42,7 +42,9 @@ RenderedFrame converged(vtkBRDFRender* render, const ConvergeOptions& options) {
   render->Modified();
   const ObserverRemover remover{render, observer};
   updateOrThrow(render);
-  RenderedFrame frame{toImage(render->GetOutput()), render->GetDeviceDescription(), {}};
+  RenderedFrame frame;
+  frame.radiance = toImage(render->GetOutput());
+  frame.device = render->GetDeviceDescription();
   frame.standardError = toImage(render->GetStandardError());
   frame.samples = static_cast<std::size_t>(render->GetSamplesDrawn());
   frame.relativeError = render->GetRelativeError();
@@ -102,9 +104,17 @@ FrameDrawer frameDrawer() {
                        : request.shadows == "lights" ? vtkBRDFRender::SHADOWS_LIGHTS
                                                      : vtkBRDFRender::SHADOWS_ALL);
     setColours(render.Get(), request.colours);
-    if (request.converge) return converged(render, *request.converge);
-    updateOrThrow(render);
-    return RenderedFrame{toImage(render->GetOutput()), render->GetDeviceDescription(), {}};
+    RenderedFrame frame;
+    if (request.converge) {
+      frame = converged(render, *request.converge);
+    } else {
+      updateOrThrow(render);
+      frame.radiance = toImage(render->GetOutput());
+      frame.device = render->GetDeviceDescription();
+    }
+    frame.tables = render->GetTableLayouts();
+    frame.resamplingError = render->GetResamplingError();
+    return frame;
   };
 }
 
