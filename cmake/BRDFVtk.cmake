@@ -1,8 +1,9 @@
 # The VTK module BRDF::vtkfilters and its Python package `brdflab`.
 #
 # Components are always named: without the list VTK 9.1 demands Qt 5.
-set(brdf_vtk_components CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry
-  IOImage IOPLY IOXML RenderingCore RenderingFreeType RenderingOpenGL2)
+set(brdf_vtk_components ChartsCore CommonComputationalGeometry CommonCore CommonDataModel CommonExecutionModel
+  FiltersCore FiltersGeneral FiltersSources IOCore IOGeometry IOImage IOPLY IOXML RenderingContext2D
+  RenderingContextOpenGL2 RenderingCore RenderingFreeType RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2)
 if (BRDF_BUILD_PYTHON)
   list(APPEND brdf_vtk_components Python WrappingPythonCore WrappingTools)
 endif ()

@@ -1,25 +1,20 @@
 #include "vtkBRDFCells.h"
 
 #include "vtkBRDF.h"
-#include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
+#include "vtkBRDFArrays.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkStringArray.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/GridImage.h>
 #include <brdf/material/TableBrdf.h>
 
-#include <algorithm>
-#include <array>
+using namespace vtkBRDFArrays;
 
 vtkStandardNewMacro(vtkBRDFCells);
 vtkBRDFCells::vtkBRDFCells() = default;
@@ -70,35 +65,6 @@ Cells CellsOf(const brdf::Brdf& material)
   }
   return cells;
 }
-
-vtkSmartPointer<vtkDoubleArray> Interleaved(const char* name, const std::vector<double>& planes, std::size_t channels)
-{
-  const std::size_t count = planes.size() / channels;
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(static_cast<int>(channels));
-  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
-  double* to = array->GetPointer(0);
-  for (std::size_t c = 0; c < channels; ++c)
-  {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      to[i * channels + c] = planes[c * count + i];
-    }
-  }
-  return array;
-}
-
-void AddTexts(vtkFieldData* fields, const char* name, const std::array<std::string, 3>& texts)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  fields->AddArray(array);
-}
 }
 
 vtkImageData* vtkBRDFCells::GetOutput()
@@ -146,22 +112,15 @@ int vtkBRDFCells::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
   output->SetOrigin(cells.Image.origin.data());
   output->SetSpacing(cells.Image.spacing.data());
   output->GetPointData()->SetScalars(Interleaved("value", *cells.Values, channels));
-  vtkNew<vtkUnsignedCharArray> state;
-  state->SetName("state");
-  state->SetNumberOfTuples(static_cast<vtkIdType>(cells.States->size()));
-  std::copy(cells.States->begin(), cells.States->end(), state->GetPointer(0));
-  output->GetPointData()->AddArray(state);
+  output->GetPointData()->AddArray(Bytes("state", *cells.States));
   if (!cells.Errors->empty())
   {
     output->GetPointData()->AddArray(Interleaved("standardError", *cells.Errors, channels));
   }
   vtkFieldData* fields = output->GetFieldData();
-  AddTexts(fields, "axes", cells.Image.name);
-  AddTexts(fields, "units", cells.Image.unit);
-  vtkNew<vtkStringArray> parametrisation;
-  parametrisation->SetName("parametrisation");
-  parametrisation->InsertNextValue(std::string(brdf::parametrisationName(cells.Layout.parametrisation)));
-  fields->AddArray(parametrisation);
+  AddTexts(fields, "axes", { cells.Image.name.begin(), cells.Image.name.end() });
+  AddTexts(fields, "units", { cells.Image.unit.begin(), cells.Image.unit.end() });
+  AddTexts(fields, "parametrisation", { std::string(brdf::parametrisationName(cells.Layout.parametrisation)) });
   return 1;
 }
 

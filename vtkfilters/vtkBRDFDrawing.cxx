@@ -1,21 +1,23 @@
 #include "vtkBRDFDrawing.h"
 
-#include "vtkActor2D.h"
+#include "vtkBrush.h"
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
-#include "vtkFloatArray.h"
+#include "vtkContext2D.h"
+#include "vtkContextActor.h"
+#include "vtkContextItem.h"
+#include "vtkContextScene.h"
 #include "vtkImageData.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
+#include "vtkObjectFactory.h"
+#include "vtkPen.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkPolyDataMapper2D.h"
-#include "vtkProperty2D.h"
+#include "vtkPropCollection.h"
+#include "vtkRect.h"
 #include "vtkRenderer.h"
-#include "vtkTextActor.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextProperty.h"
-#include "vtkTexture.h"
-#include "vtkTexturedActor2D.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Text.h>
@@ -23,6 +25,25 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <functional>
+
+namespace
+{
+/** A piece of a drawing on the scene of a renderer, from where it goes to the screen and to files of vectors alike. */
+class vtkBRDFDrawingItem : public vtkContextItem
+{
+public:
+  static vtkBRDFDrawingItem* New();
+  vtkTypeMacro(vtkBRDFDrawingItem, vtkContextItem);
+  bool Paint(vtkContext2D* painter) override
+  {
+    this->Painting(painter);
+    return true;
+  }
+  std::function<void(vtkContext2D*)> Painting;
+};
+vtkStandardNewMacro(vtkBRDFDrawingItem);
+}
 
 namespace vtkBRDFDrawing
 {
@@ -42,57 +63,119 @@ Color Interpolated(const std::array<Color, Count>& colors, double t)
   return color;
 }
 
-void AddActor(vtkRenderer* renderer, vtkPolyData* data, const Color& color, double width)
+void AddPainting(vtkRenderer* renderer, std::function<void(vtkContext2D*)> painting)
 {
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetLineWidth(static_cast<float>(width));
-  renderer->AddViewProp(actor);
+  vtkNew<vtkBRDFDrawingItem> item;
+  item->Painting = std::move(painting);
+  GetScene(renderer)->AddItem(item);
 }
+
+std::array<unsigned char, 4> Bytes(const Color& color)
+{
+  std::array<unsigned char, 4> bytes{ 0, 0, 0, 255 };
+  for (int c = 0; c < 3; ++c)
+  {
+    bytes[c] = static_cast<unsigned char>(std::lround(255 * std::clamp(color[c], 0.0, 1.0)));
+  }
+  return bytes;
+}
+
+void AddPolygons(vtkRenderer* renderer, vtkPolyData* data, vtkUnsignedCharArray* colors)
+{
+  AddPainting(renderer,
+              [data = vtkSmartPointer<vtkPolyData>(data),
+               colors = vtkSmartPointer<vtkUnsignedCharArray>(colors)](vtkContext2D* painter)
+              {
+                painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+                painter->DrawPolyData(0, 0, data, colors, VTK_SCALAR_MODE_USE_CELL_DATA);
+              });
+}
+}
+
+vtkContextScene* GetScene(vtkRenderer* renderer)
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  if (auto* last = vtkContextActor::SafeDownCast(props->GetLastProp()))
+  {
+    return last->GetScene();
+  }
+  vtkNew<vtkContextActor> actor;
+  renderer->AddViewProp(actor);
+  return actor->GetScene();
 }
 
 void AddText(vtkRenderer* renderer, const std::string& text, Point at, const TextStyle& style)
 {
-  vtkNew<vtkTextActor> actor;
-  actor->SetInput(text.c_str());
-  actor->SetTextScaleModeToNone();
-  actor->SetPosition(std::round(at[0]), std::round(at[1]));
-  vtkTextProperty* property = actor->GetTextProperty();
-  property->SetFontFamilyToArial();
-  property->SetFontSize(style.Size);
-  property->SetBold(style.Bold);
-  property->SetColor(style.Foreground[0], style.Foreground[1], style.Foreground[2]);
-  property->SetOrientation(style.Angle);
-  // VTK's own constants are 0 left or bottom, 1 centred, 2 right or top.
-  property->SetJustification(static_cast<int>(style.Horizontal));
-  property->SetVerticalJustification(static_cast<int>(style.Vertical));
-  renderer->AddViewProp(actor);
+  AddPainting(renderer,
+              [text, at, style](vtkContext2D* painter)
+              {
+                vtkTextProperty* property = painter->GetTextProp();
+                property->SetFontFamilyToArial();
+                property->SetFontSize(style.Size);
+                property->SetBold(style.Bold);
+                property->SetItalic(false);
+                property->SetColor(style.Foreground[0], style.Foreground[1], style.Foreground[2]);
+                property->SetOpacity(1);
+                property->SetOrientation(style.Angle);
+                // VTK's own constants are 0 left or bottom, 1 centred, 2 right or top.
+                property->SetJustification(static_cast<int>(style.Horizontal));
+                property->SetVerticalJustification(static_cast<int>(style.Vertical));
+                painter->ApplyTextProp(property);
+                painter->DrawString(
+                  static_cast<float>(std::round(at[0])), static_cast<float>(std::round(at[1])), text.c_str());
+              });
 }
 
-void AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text)
+double AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text)
 {
   AddText(renderer, title, { 1.0 * text, top }, { .Size = text * 6 / 5, .Vertical = Align::High, .Bold = true });
-  AddText(
-    renderer, note, { 1.0 * text, top - 1.8 * text }, { .Size = text, .Vertical = Align::High, .Foreground = Faint });
+  const auto letters = static_cast<std::size_t>(std::max(20.0, (renderer->GetSize()[0] - 2 * text) / (0.54 * text)));
+  std::vector<std::string> lines;
+  std::string rest = note;
+  while (rest.size() > letters)
+  {
+    const std::size_t at = rest.rfind("; ", letters);
+    if (at == std::string::npos)
+    {
+      break;
+    }
+    lines.push_back(rest.substr(0, at + 1));
+    rest.erase(0, at + 2);
+  }
+  lines.push_back(rest);
+  double y = top - 1.8 * text;
+  for (const std::string& line : lines)
+  {
+    AddText(renderer, line, { 1.0 * text, y }, { .Size = text, .Vertical = Align::High, .Foreground = Faint });
+    y -= 1.35 * text;
+  }
+  return y;
 }
 
 void AddLines(vtkRenderer* renderer, const std::vector<Line>& lines, const Color& color, double width)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> cells;
+  std::vector<float> points;
+  points.reserve(4 * lines.size());
   for (const Line& line : lines)
   {
-    const vtkIdType from = points->InsertNextPoint(line.From[0], line.From[1], 0);
-    const vtkIdType to = points->InsertNextPoint(line.To[0], line.To[1], 0);
-    cells->InsertNextCell({ from, to });
+    for (const double number : { line.From[0], line.From[1], line.To[0], line.To[1] })
+    {
+      points.push_back(static_cast<float>(number));
+    }
   }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetLines(cells);
-  AddActor(renderer, data, color, width);
+  if (points.empty())
+  {
+    return;
+  }
+  AddPainting(renderer,
+              [points, color, width](vtkContext2D* painter) mutable
+              {
+                painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+                painter->GetPen()->SetColorF(color[0], color[1], color[2]);
+                painter->GetPen()->SetOpacity(255);
+                painter->GetPen()->SetWidth(static_cast<float>(width));
+                painter->DrawLines(points.data(), static_cast<int>(points.size() / 2));
+              });
 }
 
 void AddRectangles(vtkRenderer* renderer, const std::vector<Rectangle>& rectangles)
@@ -100,7 +183,7 @@ void AddRectangles(vtkRenderer* renderer, const std::vector<Rectangle>& rectangl
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkUnsignedCharArray> colors;
-  colors->SetNumberOfComponents(3);
+  colors->SetNumberOfComponents(4);
   for (const Rectangle& r : rectangles)
   {
     const vtkIdType first = points->InsertNextPoint(r.Low[0], r.Low[1], 0);
@@ -108,43 +191,27 @@ void AddRectangles(vtkRenderer* renderer, const std::vector<Rectangle>& rectangl
     points->InsertNextPoint(r.High[0], r.High[1], 0);
     points->InsertNextPoint(r.Low[0], r.High[1], 0);
     cells->InsertNextCell({ first, first + 1, first + 2, first + 3 });
-    for (double component : r.Fill)
-    {
-      colors->InsertNextValue(static_cast<unsigned char>(std::lround(255 * std::clamp(component, 0.0, 1.0))));
-    }
+    colors->InsertNextTypedTuple(Bytes(r.Fill).data());
+  }
+  if (rectangles.empty())
+  {
+    return;
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetPolys(cells);
-  data->GetCellData()->SetScalars(colors);
-  AddActor(renderer, data, Ink, 1);
+  AddPolygons(renderer, data, colors);
 }
 
 void AddImage(vtkRenderer* renderer, vtkImageData* image, Point low, Point high)
 {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkFloatArray> corners;
-  corners->SetNumberOfComponents(2);
-  vtkNew<vtkCellArray> cells;
-  cells->InsertNextCell(4);
-  for (const Point& corner : { Point{ 0, 0 }, Point{ 1, 0 }, Point{ 1, 1 }, Point{ 0, 1 } })
-  {
-    cells->InsertCellPoint(
-      points->InsertNextPoint(low[0] + corner[0] * (high[0] - low[0]), low[1] + corner[1] * (high[1] - low[1]), 0));
-    corners->InsertNextTuple(corner.data());
-  }
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(points);
-  data->SetPolys(cells);
-  data->GetPointData()->SetTCoords(corners);
-  vtkNew<vtkPolyDataMapper2D> mapper;
-  mapper->SetInputData(data);
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(image);
-  vtkNew<vtkTexturedActor2D> actor;
-  actor->SetMapper(mapper);
-  actor->SetTexture(texture);
-  renderer->AddViewProp(actor);
+  const vtkRectf place(static_cast<float>(low[0]),
+                       static_cast<float>(low[1]),
+                       static_cast<float>(high[0] - low[0]),
+                       static_cast<float>(high[1] - low[1]));
+  AddPainting(renderer,
+              [image = vtkSmartPointer<vtkImageData>(image), place](vtkContext2D* painter)
+              { painter->DrawImage(place, image); });
 }
 
 void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double radius, const Color& color)
@@ -152,6 +219,8 @@ void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double ra
   constexpr int corners = 24;
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> cells;
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(4);
   for (const Point& center : centers)
   {
     cells->InsertNextCell(corners);
@@ -161,11 +230,16 @@ void AddDots(vtkRenderer* renderer, const std::vector<Point>& centers, double ra
       cells->InsertCellPoint(
         points->InsertNextPoint(center[0] + radius * std::cos(angle), center[1] + radius * std::sin(angle), 0));
     }
+    colors->InsertNextTypedTuple(Bytes(color).data());
+  }
+  if (centers.empty())
+  {
+    return;
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);
   data->SetPolys(cells);
-  AddActor(renderer, data, color, 1);
+  AddPolygons(renderer, data, colors);
 }
 
 Color PaletteColor(std::size_t index)

@@ -1,12 +1,13 @@
 #ifndef vtkBRDFDrawing_h
 #define vtkBRDFDrawing_h
-// What the views draw with: text, lines and coloured rectangles in pixels of a renderer, colour maps, tick marks.
-// For .cxx files only.
+// What the views draw with: text, lines and coloured rectangles in pixels of a renderer, colour maps, tick marks. All
+// is drawn through vtkContext2D, so that a file of vectors (SVG, PDF) holds text and lines. For .cxx files only.
 
 #include <array>
 #include <string>
 #include <vector>
 
+class vtkContextScene;
 class vtkImageData;
 class vtkRenderer;
 
@@ -32,6 +33,9 @@ inline double LineWidth(int text)
   return text / 15.0;
 }
 
+/** The scene on top of the renderer's props that the functions below draw on, for charts and items of VTK's own. */
+vtkContextScene* GetScene(vtkRenderer* renderer);
+
 struct TextStyle
 {
   int Size = 15; ///< pixels
@@ -43,8 +47,9 @@ struct TextStyle
 };
 void AddText(vtkRenderer* renderer, const std::string& text, Point at, const TextStyle& style);
 
-/** A title with its top at `top`, pixels from below, and a note under it. */
-void AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text);
+/** A title with its top at `top`, pixels from below, and a note under it, in as many lines as it needs, parted at "; ".
+ * Returns how far down they reach. */
+double AddHeading(vtkRenderer* renderer, const std::string& title, const std::string& note, double top, int text);
 
 struct Line
 {

@@ -16,6 +16,8 @@
 // Whoever links this library has OpenGL renderers and text, without a word in its own build.
 VTK_MODULE_INIT(vtkRenderingOpenGL2);
 VTK_MODULE_INIT(vtkRenderingFreeType);
+VTK_MODULE_INIT(vtkRenderingContextOpenGL2);
+VTK_MODULE_INIT(vtkRenderingVolumeOpenGL2);
 
 namespace
 {

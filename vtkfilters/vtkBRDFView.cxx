@@ -1,11 +1,16 @@
 #include "vtkBRDFView.h"
 
 #include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFDrawing.h"
 #include "vtkBRDFHeadlessRenderWindow.h"
+#include "vtkBRDFVectorDevice.h"
+#include "vtkContextActor.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPNGWriter.h"
+#include "vtkProp.h"
+#include "vtkPropCollection.h"
 #include "vtkRenderer.h"
 #include "vtkWindowToImageFilter.h"
 
@@ -16,6 +21,8 @@
 #include <array>
 #include <memory>
 #include <stdexcept>
+
+using namespace vtkBRDFDrawing;
 
 namespace
 {
@@ -94,8 +101,7 @@ void vtkBRDFView::SetSize(int width, int height)
   this->GetRenderWindow()->SetSize(std::clamp(width, 64, 8192), std::clamp(height, 64, 8192));
 }
 
-template<class Action>
-bool vtkBRDFView::Guarded(Action&& action)
+bool vtkBRDFView::Guarded(const std::function<void()>& action)
 {
   this->ErrorText.clear();
   try
@@ -181,6 +187,38 @@ bool vtkBRDFView::WritePNG(const std::string& fileName)
       }
       file.commit();
     });
+}
+
+void vtkBRDFView::WriteVectorsOrThrow(const std::string& fileName)
+{
+  const bool svg = fileName.ends_with(".svg");
+  if (!svg && !fileName.ends_with(".pdf"))
+  {
+    throw brdf::Error(brdf::Error::Kind::Value, { "unknown kind of picture", fileName, "", ".svg, .pdf" });
+  }
+  const std::array<int, 2> size = { this->GetRenderWindow()->GetSize()[0], this->Window->GetSize()[1] };
+  this->Renderer->RemoveAllViewProps();
+  this->Build(size[0], size[1]);
+  vtkPropCollection* props = this->Renderer->GetViewProps();
+  vtkCollectionSimpleIterator position;
+  props->InitTraversal(position);
+  while (vtkProp* prop = props->GetNextProp(position))
+  {
+    if (!vtkContextActor::SafeDownCast(prop))
+    {
+      throw brdf::Error(
+        brdf::Error::Kind::Value,
+        { "a picture of three-dimensional objects has no lines to write", fileName, prop->GetClassName(), ".png" });
+    }
+  }
+  brdf::VectorPicture picture = PaintedVectors(GetScene(this->Renderer), size[0], size[1]);
+  picture.title = this->Title;
+  brdf::writeFile(fileName, svg ? svgText(picture) : pdfText(picture));
+}
+
+bool vtkBRDFView::WriteVectors(const std::string& fileName)
+{
+  return this->Guarded([this, &fileName] { this->WriteVectorsOrThrow(fileName); });
 }
 
 void vtkBRDFView::UpdateOrThrow(vtkBRDFAlgorithm* algorithm)

@@ -4,7 +4,8 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For vtkSmartPointer
 
-#include <string> // For std::string
+#include <functional> // For std::function
+#include <string>     // For std::string
 
 class vtkImageData;
 class vtkRenderer;
@@ -51,6 +52,10 @@ public:
   /** Draws and writes a PNG file, which is replaced only when it is complete. */
   bool WritePNG(const std::string& fileName);
 
+  /** Draws and writes text and lines as text and lines, not pixels, at the window's size in points: by the file's name
+   * SVG or PDF. The file is replaced only when complete. Refused where the picture holds three-dimensional objects. */
+  bool WriteVectors(const std::string& fileName);
+
   /** Why the last picture failed, in one line; empty when it succeeded. */
   std::string GetErrorText() const { return this->ErrorText; }
 
@@ -64,6 +69,9 @@ protected:
   /** Throws brdf::Error with an algorithm's reason when its last update failed. */
   static void UpdateOrThrow(class vtkBRDFAlgorithm* algorithm);
 
+  /** Runs an action that may throw; true when it did not, else GetErrorText() says why. */
+  bool Guarded(const std::function<void()>& action);
+
   /** Pixels of ordinary text in a picture of this size. */
   static int TextSize(int width, int height);
   /** The same for views that hold much: larger pictures get more in, not larger letters. */
@@ -75,8 +83,7 @@ private:
 
   void DrawOrThrow();
   void CaptureOrThrow(vtkImageData* image);
-  template<class Action>
-  bool Guarded(Action&& action);
+  void WriteVectorsOrThrow(const std::string& fileName);
 
   vtkSmartPointer<vtkRenderer> Renderer;
   vtkSmartPointer<vtkRenderWindow> Window;

@@ -82,6 +82,51 @@ struct ErrorResult {
   std::vector<Worst> worst;
 };
 
+/// Slices, plots, hole maps and volumes: what the options of `brdf slice` say. Angles in degrees.
+struct SlicePicture {
+  std::string kind = "image";
+  std::vector<std::string> materials;
+  std::vector<std::string> names;  ///< of the materials, in the picture; empty: as they are written
+  std::string title;               ///< empty: the picture's own
+  ReadOptions assumptions;
+  std::string axes;  ///< of an image or a hole map; empty: the usual ones
+  std::string over = "theta_o";
+  double thetaI = 45, phiI = 0, thetaO = 45, phi = 180, thetaH = 0, phiH = 0, thetaD = 0, phiD = 90;
+  std::vector<std::array<double, 4>> directions;  ///< theta_i, phi_i, theta_o, phi_o of a plot over the wavelength
+  std::string channel = "luminance";
+  ColourNames colours;
+  std::string quantity = "f";
+  std::string scale;          ///< empty: the kind's own
+  double decades = 0;         ///< 0: the kind's own
+  std::vector<double> range;  ///< of an image's colours; empty: chosen
+  double warp = 1;
+  double exposure = 0;         ///< stops
+  double within = 0.5;         ///< degrees: samples nearer to a curve are shown
+  std::size_t resolution = 0;  ///< cells or intervals along each axis; 0: the kind's own
+  std::size_t points = 2048;   ///< of the quadrature of an albedo
+  PictureSize size;
+  std::vector<std::string> out;
+};
+struct SliceResult {
+  struct Axis {
+    std::string name, unit;
+    double from = 0, to = 0;
+    std::size_t count = 0;
+  };
+  struct Series {
+    std::string material, channel;
+    std::vector<std::string> channels{};
+    double smallest = 0, largest = 0;                           ///< of the values that there are
+    std::vector<std::pair<std::string, std::size_t>> counts{};  ///< points, cells or samples, by what they are
+    std::vector<double> albedo{}, albedoError{};                ///< bihemispherical
+    double largestError = 0;                                    ///< of the directional albedo
+  };
+  std::string quantity;  ///< what was sampled, with its unit
+  std::string fixed;     ///< the angles that stay
+  std::vector<Axis> axes;
+  std::vector<Series> series;
+};
+
 /// How a scene becomes pictures.
 /// Drawing without filtering until the noise is small enough, on the graphics device: vtkBRDFRender's converging mode.
 struct ConvergeOptions {
@@ -153,6 +198,7 @@ struct MontagePicture {
 struct PictureFunctions {
   LobeResult (*lobe)(const LobePicture&);
   ErrorResult (*error)(const ErrorPicture&);
+  SliceResult (*slice)(const SlicePicture&);
   /// Throws Error::Kind::Device when there is no headless OpenGL.
   FrameDrawer (*frameDrawer)();
   void (*audit)(const AuditPicture&);

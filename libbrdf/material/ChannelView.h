@@ -22,6 +22,8 @@ class BRDF_EXPORT ChannelView : public Brdf {
   ~ChannelView() override;
 
   const BrdfPointer& source() const { return source_; }
+  /// Rows of weights, one a channel, as given.
+  const std::vector<double>& matrix() const { return matrix_; }
 
   const Channels& channels() const override { return channels_; }
   Symmetry symmetry() const override { return source_->symmetry(); }

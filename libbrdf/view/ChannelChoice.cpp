@@ -28,6 +28,14 @@ ChannelChoice single(BrdfPointer brdf, std::size_t index) {
 
 }  // namespace
 
+std::vector<std::string> channelNames(const Channels& channels) {
+  if (channels.kind == Channels::Kind::Rgb) return {"red", "green", "blue"};
+  if (channels.kind == Channels::Kind::Monochrome) return {"value"};
+  std::vector<std::string> names;
+  for (const double wavelength : channels.wavelengths) names.push_back(formatNumber(wavelength) + " nm");
+  return names;
+}
+
 ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice, const ColourSettings& settings) {
   if (choice == "luminance") return {asLuminance(std::move(brdf), settings), {1.0}, "luminance"};
   if (choice == "rgb")

@@ -15,10 +15,12 @@ struct ChannelChoice {
   std::string label;            ///< in words, e.g. "luminance", "channel 2", "550 nm"
 };
 
+/// Names of channels for tables and legends: "red", "green", "blue"; "550 nm"; "value" of a monochrome BRDF.
+BRDF_EXPORT std::vector<std::string> channelNames(const Channels& channels);
+
 /// `choice` is "luminance", "rgb" (three channels, drawn by their luminance), "all" (its own, drawn by their mean), a
 /// channel number from 0, or a wavelength with its unit such as "550nm" (the nearest one of spectral data, inside their
-/// range). Colours and luminance of
-/// spectral data follow `settings`. Throws Error::Kind::Value naming what is allowed.
+/// range). Colours and luminance of spectral data follow `settings`. Throws Error::Kind::Value naming what is allowed.
 BRDF_EXPORT ChannelChoice chooseChannels(BrdfPointer brdf, std::string_view choice,
                                          const ColourSettings& settings = {});
 

@@ -27,6 +27,7 @@ Command batchCommand();
 Command checkCommand();
 Command compareCommand();
 Command lobeCommand();
+Command sliceCommand();
 Command errorCommand();
 Command renderCommand();
 Command baselineCommand();

@@ -41,12 +41,14 @@ void updateOrThrow(vtkBRDFAlgorithm* algorithm) {
 
 void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& path) {
   view->SetSize(static_cast<int>(size.width), static_cast<int>(size.height));
-  if (!view->WritePNG(path)) throw Error(Error::Kind::Device, {view->GetErrorText(), "", "", ""});
+  const bool vectors = path.ends_with(".svg") || path.ends_with(".pdf");
+  if (!(vectors ? view->WriteVectors(path) : view->WritePNG(path)))
+    throw Error(Error::Kind::Device, {view->GetErrorText(), "", "", ""});
 }
 
 }  // namespace brdf::app
 
 extern "C" __attribute__((visibility("default"))) const brdf::app::PictureFunctions brdfPictures = {
-    brdf::app::drawLobe,         brdf::app::drawError,        brdf::app::frameDrawer, brdf::app::drawAudit,
-    brdf::app::drawDotPlot,      brdf::app::drawMontage,      brdf::app::makeObject,  brdf::app::readPicture,
-    brdf::app::writeRadiancePng, brdf::app::layoutDifference, brdf::app::shaderProbe};
+    brdf::app::drawLobe,    brdf::app::drawError,        brdf::app::drawSlice,        brdf::app::frameDrawer,
+    brdf::app::drawAudit,   brdf::app::drawDotPlot,      brdf::app::drawMontage,      brdf::app::makeObject,
+    brdf::app::readPicture, brdf::app::writeRadiancePng, brdf::app::layoutDifference, brdf::app::shaderProbe};

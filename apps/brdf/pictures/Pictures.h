@@ -18,6 +18,7 @@ namespace brdf::app {
 
 LobeResult drawLobe(const LobePicture& request);
 ErrorResult drawError(const ErrorPicture& request);
+SliceResult drawSlice(const SlicePicture& request);
 FrameDrawer frameDrawer();
 TriangleMesh makeObject(const std::string& object);
 Image readPicture(const std::string& path);
@@ -43,7 +44,8 @@ std::string shortName(const std::string& material);
 /// Updates a filter; throws brdf::Error with its reason when it fails.
 void updateOrThrow(vtkBRDFAlgorithm* algorithm);
 
-/// Writes the view's picture; throws brdf::Error with the view's reason when it cannot be made.
+/// Writes the view's picture, by the path's ending .png, .svg or .pdf; throws brdf::Error with the view's reason when
+/// it cannot be made.
 void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& path);
 
 /// What every filter that shows colours has.

@@ -1,0 +1,78 @@
+#ifndef vtkBRDFArrays_h
+#define vtkBRDFArrays_h
+// Numbers of libbrdf as VTK's arrays. For .cxx files only.
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vtkBRDFArrays
+{
+/** Planar numbers, `channels` planes, as tuples of one component a channel. */
+inline vtkSmartPointer<vtkDoubleArray> Interleaved(const std::string& name,
+                                                   const std::vector<double>& planes,
+                                                   std::size_t channels)
+{
+  const std::size_t count = planes.size() / std::max<std::size_t>(channels, 1);
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(static_cast<int>(channels));
+  array->SetNumberOfTuples(static_cast<vtkIdType>(count));
+  double* to = array->GetPointer(0);
+  for (std::size_t c = 0; c < channels; ++c)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      to[i * channels + c] = planes[c * count + i];
+    }
+  }
+  return array;
+}
+
+inline vtkSmartPointer<vtkDoubleArray> Numbers(const std::string& name, const std::vector<double>& numbers)
+{
+  return Interleaved(name, numbers, 1);
+}
+
+inline vtkSmartPointer<vtkUnsignedCharArray> Bytes(const std::string& name, const std::vector<std::uint8_t>& bytes)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(bytes.size()));
+  std::copy(bytes.begin(), bytes.end(), array->GetPointer(0));
+  return array;
+}
+
+inline void AddTexts(vtkFieldData* fields, const char* name, const std::vector<std::string>& texts)
+{
+  auto array = vtkSmartPointer<vtkStringArray>::New();
+  array->SetName(name);
+  for (const std::string& text : texts)
+  {
+    array->InsertNextValue(text);
+  }
+  fields->AddArray(array);
+}
+
+/** The numbers of a field of one component. */
+inline std::vector<double> FieldNumbers(vtkFieldData* fields, const char* name)
+{
+  vtkDataArray* array = fields->GetArray(name);
+  std::vector<double> numbers(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    numbers[i] = array->GetTuple1(static_cast<vtkIdType>(i));
+  }
+  return numbers;
+}
+}
+
+#endif

@@ -1,0 +1,66 @@
+#ifndef vtkBRDFChannelAlgorithm_h
+#define vtkBRDFChannelAlgorithm_h
+#include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFFiltersModule.h" // For export macro
+
+#include <string> // For std::string
+
+namespace brdf
+{
+struct ChannelChoice;
+}
+
+/**
+ * @class vtkBRDFChannelAlgorithm
+ * @brief Base of filters that show some channels of a BRDF, spectra as colours if asked
+ */
+class VTKBRDFFILTERS_EXPORT vtkBRDFChannelAlgorithm : public vtkBRDFAlgorithm
+{
+public:
+  vtkTypeMacro(vtkBRDFChannelAlgorithm, vtkBRDFAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** "luminance" (default), "rgb" (linear sRGB), "all" (the BRDF's own channels), a channel number from 0, or a
+   * wavelength such as "550nm". */
+  vtkSetMacro(Channel, std::string);
+  vtkGetMacro(Channel, std::string);
+  ///@}
+
+  ///@{
+  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
+   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
+   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  vtkSetMacro(Illuminant, std::string);
+  vtkGetMacro(Illuminant, std::string);
+  vtkSetMacro(Observer, std::string);
+  vtkGetMacro(Observer, std::string);
+  vtkSetMacro(Adaptation, std::string);
+  vtkGetMacro(Adaptation, std::string);
+  ///@}
+
+  /** Takes the channel and the colours of another. */
+  void CopyChannelSettings(vtkBRDFChannelAlgorithm* other);
+
+  /** The channels of the last execution in words, e.g. "luminance", "550 nm". */
+  std::string GetChannelLabel() const { return this->ChannelLabel; }
+
+protected:
+  vtkBRDFChannelAlgorithm() = default;
+  ~vtkBRDFChannelAlgorithm() override = default;
+
+  /** The BRDF of the first input through the channels asked for. Throws brdf::Error. */
+  brdf::ChannelChoice ChosenChannels(vtkInformationVector** inputs);
+
+  std::string Channel = "luminance";
+
+private:
+  vtkBRDFChannelAlgorithm(const vtkBRDFChannelAlgorithm&) = delete;
+  void operator=(const vtkBRDFChannelAlgorithm&) = delete;
+
+  std::string Illuminant;
+  std::string Observer = "2";
+  std::string Adaptation = "bradford";
+  std::string ChannelLabel;
+};
+#endif
