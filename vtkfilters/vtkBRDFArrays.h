@@ -9,7 +9,10 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <brdf/geometry/Directions.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -40,6 +43,18 @@ inline vtkSmartPointer<vtkDoubleArray> Interleaved(const std::string& name,
 inline vtkSmartPointer<vtkDoubleArray> Numbers(const std::string& name, const std::vector<double>& numbers)
 {
   return Interleaved(name, numbers, 1);
+}
+
+/** Angles in degrees, round ones without the rounding of having been radians. */
+inline std::vector<double> InDegrees(std::vector<double> angles)
+{
+  for (double& angle : angles)
+  {
+    angle = brdf::degrees(angle);
+    const double round = std::round(angle * 1e6) / 1e6;
+    angle = std::abs(angle - round) < 1e-11 ? round : angle;
+  }
+  return angles;
 }
 
 inline vtkSmartPointer<vtkUnsignedCharArray> Bytes(const std::string& name, const std::vector<std::uint8_t>& bytes)

@@ -35,15 +35,6 @@ vtkTable* vtkBRDFCurve::GetOutput(int port)
 
 namespace
 {
-std::vector<double> InDegrees(std::vector<double> angles)
-{
-  for (double& angle : angles)
-  {
-    angle = brdf::degrees(angle);
-  }
-  return angles;
-}
-
 // A column of each channel, times the factors.
 void AddColumns(vtkTable* table,
                 const std::string& prefix,

@@ -42,15 +42,6 @@ bool OverWavelength(const std::string& axes)
   return axes.size() > tail.size() && axes.compare(axes.size() - tail.size(), tail.size(), tail) == 0;
 }
 
-std::vector<double> InDegrees(std::vector<double> angles)
-{
-  for (double& angle : angles)
-  {
-    angle = brdf::degrees(angle);
-  }
-  return angles;
-}
-
 // Whether the numbers are equally spaced, to a millionth of a step.
 bool Even(const std::vector<double>& numbers)
 {

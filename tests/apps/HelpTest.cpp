@@ -7,10 +7,10 @@
 namespace {
 
 const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "export", "fit",     "batch",
-                                            "compare", "check", "lobe", "error",   "render", "baseline", "plugins"};
+                                            "compare", "check", "lobe", "slice", "error",   "render", "baseline", "plugins"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
-  return command == "lobe" || command == "error" || command == "render" || command == "baseline";
+  return command == "lobe" || command == "slice" || command == "error" || command == "render" || command == "baseline";
 }
 
 class Command : public ::testing::TestWithParam<std::string> {};

@@ -38,6 +38,39 @@ def evaluate(brdf, wi, wo):
     return vtk_to_numpy(values), vtk_to_numpy(valid)
 
 
+class Slices(unittest.TestCase):
+    def test_a_curve_of_a_lambertian_is_a_table_of_one_value(self):
+        material = source("0.5*Lambertian")
+        curve = brdflab.vtkBRDFCurve()
+        curve.SetInputConnection(material.GetOutputPort())
+        curve.SetQuantity("f_cos")
+        curve.Update()
+        table = curve.GetOutput()
+        angles, values = (vtk_to_numpy(table.GetColumnByName(name)) for name in ("angle", "value"))
+        self.assertEqual((angles[0], angles[-1]), (-90, 90))
+        np.testing.assert_allclose(values[1:-1], 0.5 / math.pi * np.cos(np.radians(angles[1:-1])), atol=1e-14)
+
+    def test_a_slice_is_an_image_and_a_plot_a_file_of_vectors(self):
+        material = source("(0.5,0.25,0.1)*Lambertian")
+        image = brdflab.vtkBRDFSlice()
+        image.SetInputConnection(material.GetOutputPort())
+        image.SetChannel("rgb")
+        image.SetCells(8, 4)
+        image.Update()
+        self.assertEqual(image.GetOutput().GetDimensions(), (8, 4, 1))
+        values = vtk_to_numpy(image.GetOutput().GetPointData().GetArray("value"))
+        np.testing.assert_allclose(values, np.tile(np.array([0.5, 0.25, 0.1]) / math.pi, (32, 1)), rtol=1e-14)
+        curve = brdflab.vtkBRDFCurve()
+        curve.SetInputConnection(material.GetOutputPort())
+        plot = brdflab.vtkBRDFPlotView()
+        plot.AddInputConnection(curve.GetOutputPort(), "paint")
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "plot.svg")
+            self.assertTrue(plot.WriteVectors(path), plot.GetErrorText())
+            with open(path, encoding="utf-8") as file:
+                self.assertIn(">paint</text>", file.read())
+
+
 class Evaluation(unittest.TestCase):
     def test_lambertian_is_albedo_over_pi(self):
         brdf = source("0.5*Lambertian").GetOutput()

@@ -78,8 +78,8 @@ TEST(Slice, EveryPointIsTheValueOfItsDirections) {
       below += !above;
       EXPECT_EQ(states->GetTuple1(row * 6 + column), above ? 1 : 3);
       for (int c = 0; c < 3; ++c)
-        EXPECT_EQ(values->GetComponent(row * 6 + column, c),
-                  source->GetOutput()->Evaluate(pair.wi.data(), pair.wo.data(), c));
+        EXPECT_DOUBLE_EQ(values->GetComponent(row * 6 + column, c),
+                         source->GetOutput()->Evaluate(pair.wi.data(), pair.wo.data(), c));
     }
   EXPECT_EQ(slice->GetNumberOfCells(3), static_cast<vtkIdType>(below));
   EXPECT_GT(below, 0u);
