@@ -115,6 +115,7 @@ void vtkBRDFErrorMapView::AddMap(const Layout& layout)
   const double cell = layout.Side / (nodes - 1);
   std::vector<Rectangle> squares;
   squares.reserve(static_cast<std::size_t>(nodes) * nodes);
+  const double overlap = 0.4; // under the next ones: viewers of vectors show a gap between areas that only touch
   const auto clipped = [&](double pixels) { return std::clamp(pixels, 0.0, layout.Side); };
   for (int y = 0; y < nodes; ++y)
   {
@@ -124,7 +125,8 @@ void vtkBRDFErrorMapView::AddMap(const Layout& layout)
       if (count->GetComponent(i, 0) > 0)
       {
         squares.push_back({ { layout.Low[0] + clipped((x - 0.5) * cell), layout.Low[1] + clipped((y - 0.5) * cell) },
-                            { layout.Low[0] + clipped((x + 0.5) * cell), layout.Low[1] + clipped((y + 0.5) * cell) },
+                            { layout.Low[0] + clipped((x + 0.5) * cell + overlap),
+                              layout.Low[1] + clipped((y + 0.5) * cell + overlap) },
                             layout.Scale.Of(error->GetComponent(i, 0)) });
       }
     }
@@ -230,17 +232,27 @@ void vtkBRDFErrorMapView::AddDiskGrid(const Layout& layout)
     {
       (theta == 90 ? rim : weak).push_back({ at(theta, phi), at(theta, phi + 3) });
     }
-    if (theta % 30 == 0 && theta < 90)
-    {
-      AddText(renderer,
-              std::to_string(theta) + "\u00b0",
-              at(theta, 105),
-              { .Size = layout.Text * 9 / 10, .Horizontal = Align::Center, .Vertical = Align::Center });
-    }
   }
   for (int phi = 0; phi < 360; phi += 30)
   {
     weak.push_back({ at(0, phi), at(90, phi) });
+  }
+  AddLines(renderer, weak, Hatch, 0.7 * LineWidth(layout.Text));
+  AddLines(renderer, rim, Ink, 2 * LineWidth(layout.Text));
+  for (int theta : { 30, 60 })
+  {
+    const Point label = at(theta, 105);
+    AddRectangles(renderer,
+                  { { { label[0] - 0.9 * layout.Text, label[1] - 0.55 * layout.Text },
+                      { label[0] + 0.9 * layout.Text, label[1] + 0.55 * layout.Text },
+                      { 1, 1, 1 } } });
+    AddText(renderer,
+            std::to_string(theta) + "\u00b0",
+            label,
+            { .Size = layout.Text * 9 / 10, .Horizontal = Align::Center, .Vertical = Align::Center });
+  }
+  for (int phi = 0; phi < 360; phi += 30)
+  {
     const Point edge = at(90, phi), center = at(0, 0);
     const double away = 1 + 1.3 * layout.Text / (layout.Side / 2);
     AddText(renderer,
@@ -251,13 +263,31 @@ void vtkBRDFErrorMapView::AddDiskGrid(const Layout& layout)
               .Vertical = Align::Center,
               .Foreground = Faint });
   }
-  AddLines(renderer, weak, Hatch, 0.7 * LineWidth(layout.Text));
-  AddLines(renderer, rim, Ink, 2 * LineWidth(layout.Text));
-  const double theta = this->ErrorMap->GetThetaI(), phi = this->ErrorMap->GetPhiI();
-  const Point light = at(theta, phi), mirror = at(theta, phi + 180);
-  AddDots(renderer, { light, mirror }, 0.42 * layout.Text, Ink);
-  AddDots(renderer, { light }, 0.3 * layout.Text, vtkBRDFLobeScene::LightColor);
-  AddDots(renderer, { mirror }, 0.3 * layout.Text, { 1, 1, 1 });
+}
+
+// Rings around the light (yellow) and the mirror direction (white), which leave visible what is there.
+void vtkBRDFErrorMapView::AddLight(const Layout& layout)
+{
+  const double theta = brdf::radians(this->ErrorMap->GetThetaI()), phi = brdf::radians(this->ErrorMap->GetPhiI());
+  const double r = brdf::diskRadius(brdf::parseDiskProjection(this->ErrorMap->GetProjection()), theta);
+  const auto addRing = [&](double sign, const Color& color)
+  {
+    const Point center = { layout.X(sign * r * std::cos(phi)), layout.Y(sign * r * std::sin(phi)) };
+    std::vector<Line> ring;
+    const auto at = [&](int k)
+    {
+      const double angle = brdf::radians(15 * k), size = 0.65 * layout.Text;
+      return Point{ center[0] + size * std::cos(angle), center[1] + size * std::sin(angle) };
+    };
+    for (int k = 0; k < 24; ++k)
+    {
+      ring.push_back({ at(k), at(k + 1) });
+    }
+    AddLines(this->GetRenderer(), ring, Ink, 5 * LineWidth(layout.Text));
+    AddLines(this->GetRenderer(), ring, color, 2.5 * LineWidth(layout.Text));
+  };
+  addRing(1, vtkBRDFLobeScene::LightColor);
+  addRing(-1, { 1, 1, 1 });
 }
 
 void vtkBRDFErrorMapView::AddWorst(const Layout& layout)
@@ -297,40 +327,48 @@ void vtkBRDFErrorMapView::AddWorst(const Layout& layout)
   }
 }
 
-void vtkBRDFErrorMapView::AddTitles(const Layout& layout)
+double vtkBRDFErrorMapView::AddTitles(int width, int height)
 {
   vtkBRDFErrorMap* map = this->ErrorMap;
-  const auto letters = static_cast<std::size_t>(1.85 * (layout.Width - 2 * layout.Text) / layout.Text);
-  const std::string note = vtkBRDFErrorMapText::Note(map) + ", largest point " + NumberText(map->GetLargest()) +
-                           (layout.Logarithmic ? "; logarithmic colours" : "");
-  AddHeading(this->GetRenderer(),
-             Shortened(this->GetTitle().empty() ? "Where A differs from B: " + map->GetQuantity() : this->GetTitle(),
-                       letters * 3 / 4),
-             Shortened(note, letters),
-             layout.Height - layout.Text,
-             layout.Text);
-  vtkBRDFErrorMapText::AddNames(this->GetRenderer(), map, this->NameA, this->NameB, layout.Text, letters);
-  std::string legend = this->ShowWorst && map->GetWorst()->GetNumberOfRows() > 0 ? "1, 2...: the worst directions" : "";
+  const int text = TextSize(width, height);
+  const auto letters = static_cast<std::size_t>(1.85 * (width - 2 * text) / text);
+  bool logarithmic = false;
+  ChooseScale(map, this->Scale, logarithmic);
+  std::string note = vtkBRDFErrorMapText::Note(map) + ", largest point " + NumberText(map->GetLargest()) +
+                     "; hatched: nothing to compare";
+  if (logarithmic)
+  {
+    note += "; logarithmic colours";
+  }
   if (this->IsDisk())
   {
-    legend = "light (yellow) at theta_i = " + NumberText(map->GetThetaI(), 4) +
-             "\u00b0, phi_i = " + NumberText(map->GetPhiI(), 4) + "\u00b0, mirror direction (white); " +
-             map->GetProjection() + (legend.empty() ? "" : "; " + legend);
+    note += "; light (yellow) at theta_i = " + NumberText(map->GetThetaI(), 4) +
+            "\u00b0, phi_i = " + NumberText(map->GetPhiI(), 4) + "\u00b0; mirror direction white; " +
+            map->GetProjection() + " disk";
   }
-  AddText(this->GetRenderer(),
-          Shortened(legend + (legend.empty() ? "" : "; ") + "hatched: nothing to compare", letters),
-          { 1.0 * layout.Text, layout.Height - 4.4 * layout.Text },
-          { .Size = layout.Text, .Vertical = Align::High, .Foreground = Faint });
+  if (this->ShowWorst && map->GetWorst()->GetNumberOfRows() > 0)
+  {
+    note += "; 1, 2...: the worst directions";
+  }
+  vtkBRDFErrorMapText::AddNames(this->GetRenderer(), map, this->NameA, this->NameB, text, letters);
+  return AddHeading(
+    this->GetRenderer(),
+    Shortened(this->GetTitle().empty() ? "Where A differs from B: " + map->GetQuantity() : this->GetTitle(),
+              letters * 3 / 4),
+    note,
+    height - text,
+    text);
 }
 
-vtkBRDFErrorMapView::Layout vtkBRDFErrorMapView::MakeLayout(int width, int height)
+vtkBRDFErrorMapView::Layout vtkBRDFErrorMapView::MakeLayout(int width, int height, double top)
 {
   Layout layout{};
   layout.Width = width;
   layout.Height = height;
   layout.Text = TextSize(width, height);
-  const double below = (this->IsDisk() ? 6 : 8) * layout.Text, above = (this->IsDisk() ? 8 : 7) * layout.Text,
-               left = 6 * layout.Text, right = (this->IsDisk() ? 12 : 9) * layout.Text;
+  const double below = (this->IsDisk() ? 6 : 8) * layout.Text,
+               above = height - top + (this->IsDisk() ? 2.2 : 1) * layout.Text, left = 6 * layout.Text,
+               right = (this->IsDisk() ? 12 : 9) * layout.Text;
   layout.Side = std::max(10.0, std::min(width - left - right, height - below - above));
   layout.Low = { left + std::max(0.0, (width - left - right - layout.Side) / 2), below };
   layout.Ranges = brdf::ErrorGrid{ .axes = brdf::parseErrorAxes(this->ErrorMap->GetAxes()) }.ranges();
@@ -342,7 +380,7 @@ void vtkBRDFErrorMapView::Build(int width, int height)
 {
   this->ErrorMap->SetIntervals(this->Intervals > 0 ? this->Intervals : this->ErrorMap->SuggestIntervals());
   UpdateOrThrow(this->ErrorMap);
-  const Layout layout = this->MakeLayout(width, height);
+  const Layout layout = this->MakeLayout(width, height, this->AddTitles(width, height));
   this->AddMap(layout);
   this->AddHatch(layout);
   if (this->IsDisk())
@@ -354,13 +392,16 @@ void vtkBRDFErrorMapView::Build(int width, int height)
     this->AddAxes(layout);
   }
   this->AddWorst(layout);
+  if (this->IsDisk())
+  {
+    this->AddLight(layout);
+  }
   const double bar = layout.Low[0] + layout.Side + (this->IsDisk() ? 5 : 2) * layout.Text;
   AddColorBar(this->GetRenderer(),
               layout.Scale,
               { bar, layout.Low[1] },
               { bar + 1.5 * layout.Text, layout.Low[1] + layout.Side },
               layout.Text);
-  this->AddTitles(layout);
 }
 
 void vtkBRDFErrorMapView::PrintSelf(ostream& os, vtkIndent indent)

@@ -72,14 +72,15 @@ private:
   void operator=(const vtkBRDFErrorMapView&) = delete;
 
   struct Layout;
-  Layout MakeLayout(int width, int height);
+  Layout MakeLayout(int width, int height, double top);
   bool IsDisk();
   void AddMap(const Layout& layout);
   void AddHatch(const Layout& layout);
   void AddAxes(const Layout& layout);
   void AddDiskGrid(const Layout& layout);
+  void AddLight(const Layout& layout);
   void AddWorst(const Layout& layout);
-  void AddTitles(const Layout& layout);
+  double AddTitles(int width, int height);
 
   vtkNew<vtkBRDFErrorMap> ErrorMap;
   std::string NameA;

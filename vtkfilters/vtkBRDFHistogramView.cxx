@@ -50,7 +50,8 @@ struct vtkBRDFHistogramView::Axes
 
 namespace
 {
-constexpr std::array<double, 5> QuantileShares = { 0.05, 0.5, 0.9, 0.99, 1 };
+constexpr std::array<double, 5> Shares = { 0.05, 0.5, 0.9, 0.99, 1 };
+constexpr std::array<double, 5> SignedShares = { 0, 0.05, 0.5, 0.95, 1 };
 constexpr Color QuantileColor = { 0.80, 0.40, 0.00 };
 
 std::vector<double> ColumnNumbers(vtkTable* table, const char* name)
@@ -66,7 +67,7 @@ std::vector<double> ColumnNumbers(vtkTable* table, const char* name)
 
 std::string Percent(double share)
 {
-  return share == 0.5 ? "median" : share == 1 ? "largest" : NumberText(100 * share, 4) + " %";
+  return share == 0 ? "smallest" : share == 0.5 ? "median" : share == 1 ? "largest" : NumberText(100 * share, 4) + " %";
 }
 }
 
@@ -81,13 +82,13 @@ vtkBRDFErrorMap* vtkBRDFHistogramView::GetErrorMap()
   return this->ErrorMap;
 }
 
-vtkBRDFHistogramView::Axes vtkBRDFHistogramView::MakeAxes(int width, int height)
+vtkBRDFHistogramView::Axes vtkBRDFHistogramView::MakeAxes(int width, int height, double top)
 {
   vtkTable* table = this->ErrorMap->GetHistogram();
   Axes axes{};
   axes.Text = TextSize(width, height);
   axes.Low = { 6.5 * axes.Text, 8.2 * axes.Text };
-  axes.High = { width - 2.5 * axes.Text, height - 8.0 * axes.Text };
+  axes.High = { width - 2.5 * axes.Text, top - 3.6 * axes.Text };
   axes.Edges = ColumnNumbers(table, "low");
   const std::vector<double> ends = ColumnNumbers(table, "high");
   if (!ends.empty())
@@ -212,7 +213,7 @@ void vtkBRDFHistogramView::AddQuantiles(const Axes& axes)
   }
   std::vector<Line> lines;
   std::array<double, 2> labelEnd = { -1e9, -1e9 }; // of the last label in each of two rows
-  for (double share : QuantileShares)
+  for (double share : this->ErrorMap->IsSigned() ? SignedShares : Shares)
   {
     const double value = this->ErrorMap->GetQuantile(share), x = axes.X(value);
     const std::string label = Percent(share) + ": " + NumberText(value);
@@ -240,17 +241,18 @@ void vtkBRDFHistogramView::Build(int width, int height)
     throw brdf::Error(brdf::Error::Kind::Value, { "nothing to draw", "histogram", "no error map", "one" });
   }
   UpdateOrThrow(this->ErrorMap);
-  const Axes axes = this->MakeAxes(width, height);
+  const int text = TextSize(width, height);
+  const auto letters = static_cast<std::size_t>(1.85 * (width - 2 * text) / text);
+  const double top = AddHeading(this->GetRenderer(),
+                                this->GetTitle().empty() ? "How often A differs from B by how much" : this->GetTitle(),
+                                vtkBRDFErrorMapText::Note(this->ErrorMap),
+                                height - text,
+                                text);
+  vtkBRDFErrorMapText::AddNames(this->GetRenderer(), this->ErrorMap, this->NameA, this->NameB, text, letters);
+  const Axes axes = this->MakeAxes(width, height, top);
   this->AddBars(axes);
   this->AddAxes(axes);
   this->AddQuantiles(axes);
-  const auto letters = static_cast<std::size_t>(1.85 * (width - 2 * axes.Text) / axes.Text);
-  AddHeading(this->GetRenderer(),
-             this->GetTitle().empty() ? "How often A differs from B by how much" : this->GetTitle(),
-             Shortened(vtkBRDFErrorMapText::Note(this->ErrorMap), letters),
-             height - axes.Text,
-             axes.Text);
-  vtkBRDFErrorMapText::AddNames(this->GetRenderer(), this->ErrorMap, this->NameA, this->NameB, axes.Text, letters);
 }
 
 void vtkBRDFHistogramView::PrintSelf(ostream& os, vtkIndent indent)

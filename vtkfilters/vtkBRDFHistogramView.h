@@ -46,7 +46,7 @@ private:
   void operator=(const vtkBRDFHistogramView&) = delete;
 
   struct Axes;
-  Axes MakeAxes(int width, int height);
+  Axes MakeAxes(int width, int height, double top);
   void AddBars(const Axes& axes);
   void AddAxes(const Axes& axes);
   void AddQuantiles(const Axes& axes);

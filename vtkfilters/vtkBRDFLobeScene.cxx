@@ -254,7 +254,8 @@ void AddPoints(const Stage& stage, vtkPolyData* points, double scale, const Colo
   actor->SetScale(scale);
   actor->SetPosition(stage.Origin[0], stage.Origin[1], stage.Origin[2]);
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
-  actor->GetProperty()->SetPointSize(static_cast<float>(stage.Text / 4.0));
+  actor->GetProperty()->SetPointSize(static_cast<float>(stage.Text / (colored ? 2.2 : 3.5)));
+  actor->GetProperty()->SetRenderPointsAsSpheres(true);
   actor->GetProperty()->LightingOff();
   stage.Renderer->AddActor(actor);
 }

@@ -14,6 +14,7 @@ constexpr std::size_t kBlock = 65'536;
 constexpr std::size_t kFewSamples = 100'000;
 constexpr std::size_t kMostPairs = 20'000'000;
 constexpr std::size_t kMostChannelNodes = 16'000'000;
+constexpr std::size_t kWorstApart = 18;  // of the map's side: 5 degrees of a right angle
 
 constexpr std::array<std::pair<std::string_view, ErrorDirections>, 3> kDirections{
     {{"automatic", ErrorDirections::Automatic},
@@ -183,8 +184,18 @@ class Accumulator {
       const double a = std::abs(x.error), b = std::abs(y.error);
       return a > b || (a == b && x.node < y.node);
     });
-    worst_.resize(std::min(number, worst_.size()));
-    map_.worst = std::move(worst_);
+    const std::size_t nodes = map_.grid.nodes();
+    const std::size_t apart = (map_.grid.intervals + kWorstApart - 1) / kWorstApart;
+    std::vector<bool> taken(nodes * nodes);
+    for (WorstPair& one : worst_) {
+      if (map_.worst.size() == number) break;
+      if (taken[one.node]) continue;
+      const std::size_t x = one.node % nodes, y = one.node / nodes;
+      for (std::size_t j = y < apart ? 0 : y - apart + 1; j < std::min(y + apart, nodes); ++j)
+        for (std::size_t i = x < apart ? 0 : x - apart + 1; i < std::min(x + apart, nodes); ++i)
+          taken[j * nodes + i] = true;
+      map_.worst.push_back(std::move(one));
+    }
   }
 
   const Brdf& a_;

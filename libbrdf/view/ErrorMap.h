@@ -53,7 +53,7 @@ struct ErrorMap {
   std::vector<double> errors;
   std::vector<double> weights;   ///< of the pairs; empty: all alike
   std::size_t leftOut = 0;       ///< pairs where a BRDF has no value, or none that is finite
-  std::vector<WorstPair> worst;  ///< the largest |error| first, at most one a node, none of error 0
+  std::vector<WorstPair> worst;  ///< the largest |error| first, none of error 0; see below
   std::string sampling;          ///< where the directions come from, in words
 };
 
@@ -62,6 +62,9 @@ struct ErrorMap {
 /// then meet in a node; on the hemisphere twice as many.
 BRDF_EXPORT std::size_t automaticIntervals(const Brdf& a, const Brdf& b, ErrorAxes axes, ErrorDirections directions);
 
+/// The worst pairs lie at least an eighteenth of the map's side apart along one of its axes (5 degrees of 90), and at
+/// most one at a node: the neighbours of the worst are as bad, and would be all that a plain list has.
+///
 /// Compares `a` with `b`, which must have the same channels (see chooseChannels). A metric that takes a scale from the
 /// data takes it from b, as compare() does. Throws Error::Kind::Value for options out of range, samples that are not
 /// there or have no cells where the metric needs them, and a user's metric without a finite value.

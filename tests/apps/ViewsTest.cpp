@@ -82,6 +82,20 @@ TEST(ErrorCommand, WritesTheMapTheHistogramAndTheWorstAsTables) {
     EXPECT_NEAR(value["values"][0]["value"][c].get<double>(), first["a"][c].get<double>(), 1e-9);
 }
 
+TEST(ErrorCommand, VectorFilesHoldTheWords) {
+  const auto folder = scratchFolder();
+  const Outcome run =
+      runLine(folder,
+              "brdf error GGX Lambertian --axes hemisphere --resolution 20 --out disk.svg --out disk.pdf "
+              "--histogram bars.svg");
+  ASSERT_EQ(run.exitCode, 0) << run.err;
+  const std::string disk = brdf::readFile(folder / "disk.svg"), bars = brdf::readFile(folder / "bars.svg");
+  for (const char* words : {"Where A differs from B", "A: GGX", "B: Lambertian", "phi = 0"})
+    EXPECT_NE(disk.find(words), std::string::npos) << words;
+  EXPECT_NE(bars.find("median"), std::string::npos);
+  EXPECT_EQ(brdf::readFile(folder / "disk.pdf").substr(0, 5), "%PDF-");
+}
+
 TEST(LobeCommand, MeshFilesHoldTheTrianglesReported) {
   const auto folder = scratchFolder();
   const json report =

@@ -234,6 +234,17 @@ TEST(ErrorMap, ListsTheWorstPairOfEachNode) {
     EXPECT_EQ(one.node, map.grid.nodeOf(one.pair.wi, one.pair.wo, Symmetry::Isotropic));
   }
   EXPECT_EQ(std::accumulate(map.count.begin(), map.count.end(), std::uint64_t{0}), map.errors.size());
+
+  wanted.grid.intervals = 90;  // nodes of a degree: 5 apart along x or y
+  wanted.azimuths = 4;
+  const ErrorMap fine = makeErrorMap(a, b, wanted);
+  EXPECT_EQ(fine.worst.size(), 25u);
+  for (std::size_t i = 0; i < fine.worst.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const int x = static_cast<int>(fine.worst[i].node % 91) - static_cast<int>(fine.worst[k].node % 91);
+      const int y = static_cast<int>(fine.worst[i].node / 91) - static_cast<int>(fine.worst[k].node / 91);
+      EXPECT_GE(std::max(std::abs(x), std::abs(y)), 5);
+    }
 }
 
 TEST(ErrorMap, WhatIsNotFiniteIsLeftOut) {

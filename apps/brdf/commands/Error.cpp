@@ -68,8 +68,8 @@ void run(const Output& output, Values& values) {
   request.size = sizeOption(values.size);
   colourSettings(request.colours);  // says what is wrong before anything is loaded
   checkMeasure(request);
-  checkPictureOutputs(request.out, {".png", ".vti", ".exr", ".csv"});
-  checkPictureOutputs(request.histogram, {".png", ".csv"});
+  checkPictureOutputs(request.out, {".png", ".svg", ".pdf", ".vti", ".exr", ".csv"});
+  checkPictureOutputs(request.histogram, {".png", ".svg", ".pdf", ".csv"});
   if (!request.worstOut.empty()) checkPictureOutputs({request.worstOut}, {".csv"});
   if (request.out.empty() && request.histogram.empty() && request.worstOut.empty() && output.jsonTarget.empty())
     throw Error(Error::Kind::Usage, {"nothing to write", "error", "", "--out, --histogram, --worst-out or --json"});
@@ -83,8 +83,11 @@ void run(const Output& output, Values& values) {
     quantilesJson.push_back({{"share", share}, {"error", error}});
     if (share == 0.5 || share == 0.9 || share == 0.99) quantiles += number(100 * share) + " % " + number(error) + ", ";
   }
-  if (!quantiles.empty())
-    quantiles = "\nof single pairs: " + quantiles + "largest " + number(result.quantiles.back().second);
+  if (!quantiles.empty()) {
+    const double smallest = result.quantiles.front().second, largest = result.quantiles.back().second;
+    quantiles = "\nof single pairs: " + (smallest < 0 ? "smallest " + number(smallest) + ", " : "") + quantiles +
+                "largest " + number(largest);
+  }
   output.line((files.empty() ? "" : joined(files) + ": ") + result.label + "\nover all " + number(result.mean) +
               ", largest point of the map " + number(result.largest) + "; " + std::to_string(result.pairs) +
               " pairs, " + result.sampling + quantiles);
@@ -148,11 +151,11 @@ Command errorCommand() {
             arguments.option("--worst", request.worst, {0, 10000}, "How many of the worst directions to list and mark");
             arguments.option("--worst-out", request.worstOut, "FILE", "x.csv for that list");
             arguments.option("--histogram", request.histogram, "FILE",
-                             "x.png, or x.csv, of the errors of single pairs; several times");
+                             "x.png, x.svg, x.pdf, or x.csv, of the errors of single pairs; several times");
             arguments.option("--bins", request.bins, {1, 10000}, "Of the histogram");
             arguments.option("--size", values->size, "WxH", "Pixels of the picture [900x700]");
             arguments.option("--out", request.out, "FILE",
-                             "x.png, or x.vti, x.exr or x.csv for the numbers; several times");
+                             "x.png, x.svg or x.pdf, or x.vti, x.exr or x.csv for the numbers; several times");
           },
           [values](const Output& output) { run(output, *values); }};
 }
