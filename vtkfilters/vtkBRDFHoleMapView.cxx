@@ -78,8 +78,7 @@ void vtkBRDFHoleMapView::Build(int width, int height)
   const std::vector<double> xEdges = vtkBRDFArrays::FieldNumbers(fields, "x edges"),
                             yEdges = vtkBRDFArrays::FieldNumbers(fields, "y edges");
   auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray("axes"));
-  const AngleAxis x = AxisOf(names->GetValue(0), xEdges, this->Warp),
-                  y = AxisOf(names->GetValue(1), yEdges, this->Warp);
+  const AngleAxis x = AxisOf(names->GetValue(0), xEdges, this->Warp), y = AxisOf(names->GetValue(1), yEdges, 1);
   const int text = TextSize(width, height);
   vtkRenderer* renderer = this->GetRenderer();
 

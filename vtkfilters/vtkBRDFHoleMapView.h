@@ -38,8 +38,8 @@ public:
   ///@}
 
   ///@{
-  /** x and y in equal steps of the angle's power 1 / Warp: 1 (default) linear; 2 shows MERL's cells of theta_h equally
-   * wide. Of polar angles only; [0.1, 10]. */
+  /** Along x, equal steps of the picture are equal steps of the angle's power 1 / Warp: 1 (default) linear; 2 shows
+   * MERL's cells of theta_h equally wide. Of polar angles only; [0.1, 10]. */
   vtkSetClampMacro(Warp, double, 0.1, 10);
   vtkGetMacro(Warp, double);
   ///@}

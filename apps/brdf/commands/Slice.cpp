@@ -168,8 +168,9 @@ Command sliceCommand() {
                          "That a log scale shows at most; 0 chooses: images 6, volumes 4, plots 6");
         arguments.option("--range", values->range, "LOW,HIGH",
                          "image: values of the ends of the colour bar [all but the largest and smallest hundredth]");
-        arguments.option("--warp", request.warp, {0.1, 10}, "NUMBER",
-                         "image, holes: equal steps of angle^(1/warp); 2 widens the highlight as MERL's tables do");
+        arguments.option(
+            "--warp", request.warp, {0.1, 10}, "NUMBER",
+            "image, holes: along x, equal steps of angle^(1/warp); 2 widens the highlight as MERL's tables do");
         arguments.option("--exposure", request.exposure, {-100, 100}, "STOPS",
                          "image with --channel rgb; at 0 a white Lambertian is white");
         arguments.option("--within", request.within, {0, 90}, "DEGREES",
