@@ -138,9 +138,10 @@ struct ConvergeOptions {
 struct RenderPicture {
   std::optional<ConvergeOptions> converge;  ///< empty: filtered, with `samples`
   ColourNames colours;
-  std::size_t samples = 64;     ///< of the environment, a pixel
-  std::string shadows = "all";  ///< or "lights", "none"
-  double exposure = 0;          ///< stops
+  std::size_t samples = 64;        ///< of the environment, a pixel
+  std::string shadows = "all";     ///< or "lights", "none"
+  std::string shadowCells = "16";  ///< of the environment, a side
+  double exposure = 0;             ///< stops
   std::string toneCurve = "clamp";
   std::vector<std::string> out;  ///< .png: tone-mapped sRGB; .exr: linear radiance
 };

@@ -5,6 +5,7 @@
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/render/SceneFile.h>
+#include <brdf/render/Shapes.h>
 
 #include <cmath>
 
@@ -55,7 +56,8 @@ Scene sceneOfOneObject(const SceneRequest& request) {
   scene.materials = {loadMaterial(request.material, request.assumptions).brdf};
   SceneObject object{request.object, nullptr, {}, 0};
   if (request.object != "sphere") {
-    object.mesh = std::make_shared<const TriangleMesh>(pictures().makeObject(request.object));
+    auto mesh = makeShape(request.object);
+    object.mesh = std::make_shared<const TriangleMesh>(mesh ? std::move(*mesh) : pictures().makeObject(request.object));
   }
   scene.objects.push_back(std::move(object));
   return scene;

@@ -56,7 +56,7 @@ void addGround(Scene& scene, BrdfPointer material) {
   const SceneBounds bounds = sceneBounds(scene);
   SceneObject ground;
   ground.name = "ground";
-  ground.mesh = std::make_shared<const TriangleMesh>(makeSquare(20));
+  ground.mesh = std::make_shared<const TriangleMesh>(makeSquare(40));
   ground.placement.scale = bounds.radius;
   ground.placement.shift = {bounds.center[0], bounds.low[1], bounds.center[2]};
   ground.material = scene.materials.size();

@@ -17,11 +17,11 @@ struct SceneBounds {
 /// Of all objects but the ground; the defaults for a scene without any.
 BRDF_EXPORT SceneBounds sceneBounds(const Scene& scene);
 
-/// Adds a square of a material under the objects, at their lowest point: its side is 20 times their radius, its middle
+/// Adds a square of a material under the objects, at their lowest point: its side is 40 times their radius, its middle
 /// below theirs. Throws Error::Kind::Value where the scene has a ground.
 BRDF_EXPORT void addGround(Scene& scene, BrdfPointer material);
 /// By what cameras stand further off where there is a ground, so that some of it is seen around the objects.
-constexpr double kGroundMargin = 1.35;
+constexpr double kGroundMargin = 1.15;
 /// The ground's material unless another is asked for: a Lambertian of albedo 0.4.
 BRDF_EXPORT BrdfPointer groundMaterial();
 

@@ -5,6 +5,7 @@
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/render/SceneArrangement.h>
 #include <brdf/render/SceneFile.h>
+#include <brdf/render/Shapes.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,6 +42,12 @@ Placement placement(const JsonObject& object) {
   return place;
 }
 
+std::string shapeList() {
+  std::vector<std::string> names;
+  for (const ShapeName& shape : shapeNames()) names.emplace_back(shape.name);
+  return joined(names);
+}
+
 using MaterialNames = std::map<std::string, std::size_t>;
 
 std::size_t materialIndex(const JsonObject& entry, const MaterialNames& materials) {
@@ -67,10 +74,12 @@ SceneObject sceneObject(const JsonObject& entry, const std::filesystem::path& sc
     object.mesh = std::make_shared<const TriangleMesh>(makeSquare(entry.number("side", 1)));
   } else if (shape == "sphere") {
     object.placement.scale *= entry.number("radius", 1);
+  } else if (auto mesh = makeShape(shape)) {
+    object.mesh = std::make_shared<const TriangleMesh>(std::move(*mesh));
   } else if (readers.shape) {
     object.mesh = std::make_shared<const TriangleMesh>(readers.shape(shape));
   } else {
-    entry.fail("unknown shape", "shape", "\"" + shape + "\"", "sphere, square");
+    entry.fail("unknown shape", "shape", "\"" + shape + "\"", "sphere, " + shapeList());
   }
   object.material = materialIndex(entry, materials);
   entry.finish();

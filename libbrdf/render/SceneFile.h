@@ -11,7 +11,7 @@ namespace brdf {
 struct SceneReaders {
   /// A mesh from a file (.ply, .obj, .stl, ...). Without it a scene with mesh files is refused.
   std::function<TriangleMesh(const std::filesystem::path&)> mesh;
-  /// A shape by its name. Without it there are the core's own: sphere, square.
+  /// A shape by its name. Without it there are the core's own: sphere and makeShape's.
   std::function<TriangleMesh(const std::string& name)> shape;
   /// A picture of linear radiance. Without it OpenEXR and Radiance files are read.
   std::function<Image(const std::filesystem::path&)> picture;

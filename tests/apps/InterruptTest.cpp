@@ -34,3 +34,18 @@ TEST(Interrupt, ACommandThatCannotStopHalfwayEndsAndLeavesNothing) {
   EXPECT_EQ(outcome.err, "brdf: interrupted\n");
   EXPECT_TRUE(filesIn(folder).empty());
 }
+
+TEST(Interrupt, ATurntableKeepsItsFinishedFrames) {
+  const auto folder = scratchFolder();
+  const Outcome outcome =
+      runLine(folder, "{ '" BRDF_PROGRAM
+                      "' render Lambertian --light directional:0,0 --reference --samples 16 --size 32x32 --turntable "
+                      "10000 --out f_%04d.exr > out & p=$!; until [ -e f_0001.exr ]; do sleep 0.1; done; kill -INT $p; "
+                      "wait $p; }");
+  EXPECT_EQ(outcome.exitCode, 1);
+  EXPECT_NE(outcome.err.find("finished frames were kept"), std::string::npos) << outcome.err;
+  const auto files = filesIn(folder);
+  EXPECT_GE(files.size(), 3u);
+  EXPECT_LT(files.size(), 10000u);
+  for (const std::string& file : files) EXPECT_TRUE(file == "out" || file.ends_with(".exr")) << file;
+}

@@ -189,6 +189,30 @@ TEST_F(SceneRenderTest, ALoneSphereIsTheSameWithShadows) {
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
 }
 
+TEST_F(SceneRenderTest, WindowsComeAndGoAndChangeTheirSize) {
+  brdf::Scene scene = shadowedScene();
+  scene.lights = {{brdf::SceneLight::Kind::Directional, {0.7, 0.6, 0.3}, {3, 2, 1}}};
+  scene.environment = brdf::SceneEnvironment{
+      std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::constant({1, 1, 1})), 0, 1};
+  for (int life = 0; life < 2; ++life) {
+    vtkNew<vtkBRDFRender> render;
+    float first = 0;
+    for (const std::size_t side : {24u, 40u, 17u, 24u}) {
+      scene.width = scene.height = side;
+      render->SetScene(scene);
+      render->Update();
+      ASSERT_EQ(render->GetErrorText(), "");
+      const int middle = static_cast<int>(side) / 2;
+      const float value = *static_cast<const float*>(render->GetOutput()->GetScalarPointer(middle, middle, 0));
+      ASSERT_GT(value, 0);
+      if (side == 24u) {
+        if (first > 0) EXPECT_EQ(value, first);
+        first = value;
+      }
+    }
+  }
+}
+
 TEST_F(SceneRenderTest, ObjectsAreReplacedNotAdded) {
   brdf::Scene scene = openScene();
   render_->SetScene(scene);

@@ -3,6 +3,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/io/ImageFile.h>
+#include <brdf/render/SceneArrangement.h>
 #include <brdf/render/SceneFile.h>
 
 #include <gtest/gtest.h>
@@ -85,6 +86,22 @@ TEST(SceneFile, AnEnvironmentMayBeALightProbe) {
   EXPECT_EQ(scene.environment->map->radiance({-1, 0, 0})[0], 0);
 }
 
+TEST(SceneFile, CamerasStandAroundTheObjectsAndTheGroundLiesUnderThem) {
+  const Scene scene = readScene(written(R"json({
+    "film": {"width": 300, "height": 200}, "camera": {"preset": "three-quarter", "elevation": 40},
+    "materials": {"m": "Lambertian"}, "ground": {}, "background": {"kind": "none"},
+    "objects": [{"shape": "sphere", "radius": 2, "position": [1, 5, 0], "material": "m"}]})json"));
+  ASSERT_TRUE(scene.ground);
+  EXPECT_EQ(scene.objects[*scene.ground].placement.shift[1], 3);
+  EXPECT_EQ(scene.camera.target, (Position{1, 5, 0}));
+  const SceneCamera expected = cameraAround({1, 5, 0}, 2 * kGroundMargin, 35, 40, 30, 1.5);
+  EXPECT_EQ(scene.camera.position, expected.position);
+  EXPECT_EQ(scene.background.kind, SceneBackground::Kind::Transparent);
+  EXPECT_NE(refusal(R"({"camera": {"preset": "below"}})").find("three-quarter"), std::string::npos);
+  EXPECT_NE(refusal(R"({"camera": {"azimuth": 3, "position": [0, 0, 1]}})").find("either of two"), std::string::npos);
+  EXPECT_NE(refusal(R"({"background": {"kind": "sky"}})").find("environment, color, image, none"), std::string::npos);
+}
+
 TEST(SceneFile, SaysWhereItIsWrong) {
   EXPECT_EQ(refusal("{\n\"film\": {\n}"), "scene.json, line 3: not JSON; found a fault near byte 14");
   EXPECT_EQ(refusal("[]"), "scene.json: no object; found []; allowed: {...}");
@@ -93,8 +110,9 @@ TEST(SceneFile, SaysWhereItIsWrong) {
             "camera, environment, film, ground, lights, materials, objects");
   EXPECT_EQ(refusal(R"({"camera": {"position": [1, 2]}})"),
             "scene.json: camera.position: not three numbers; found [1,2]; allowed: [x, y, z]");
-  EXPECT_EQ(refusal(R"({"objects": [{"shape": "cube", "material": "a"}]})"),
-            "scene.json: objects[0].shape: unknown shape; found \"cube\"; allowed: sphere, square");
+  EXPECT_EQ(refusal(R"({"objects": [{"shape": "teapot", "material": "a"}]})"),
+            "scene.json: objects[0].shape: unknown shape; found \"teapot\"; allowed: sphere, cone, cube, "
+            "cylinder, plane, preview, square");
   EXPECT_EQ(refusal(R"({"materials": {"b": "Lambertian"}, "objects": [{"shape": "sphere", "material": "a"}]})"),
             "scene.json: objects[0].material: no such material; found \"a\"; allowed: b");
   EXPECT_EQ(refusal(R"({"materials": {"b": "Lambertain"}})").find("Lambertain") != std::string::npos, true);

@@ -258,46 +258,48 @@ void run(const Output& output, Values values) {
 
 Command renderCommand() {
   const auto values = std::make_shared<Values>();
-  return {"render", "Render an object of a material under light, or a scene",
-          "  brdf render \"(0.3,0.1,0.05)*Lambertian + 0.5*GGX(alpha=0.2)\" --light directional:45,0 --out sphere.png "
-          "--out sphere.exr\n"
-          "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png\n"
-          "  brdf render \"0.5*Lambertian\" --light point:2,2,3 --reference --samples 64 --size 64x64 --out true.exr\n"
-          "  brdf render \"0.5*GGX(alpha=0.3)\" --light directional:45,0 --converge --tolerance 0.02 --size 64x64 "
-          "--out converged.exr\n"
-          "  brdf render \"GGX(alpha=0.3)\" --ground --camera three-quarter --light directional:40,60 --turntable 3 "
-          "--size 64x64 --out frame_%03d.png",
-          [values](Arguments& arguments) {
-            RenderPicture& picture = values->picture;
-            ReferenceOptions& reference = values->options;
-            declareScene(arguments, values->subject);
-            arguments.option("--samples", values->samples, {1, 1 << 24},
-                             "A pixel: under an environment [64]; with --reference, paths at most [256]; with "
-                             "--converge, at most [4096]");
-            arguments.choice("--shadows", picture.shadows, {"none", "lights", "all"},
-                             "On the graphics device: of no light, of lights besides the environment, or of all");
-            arguments.flag("--reference", values->reference,
-                           "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
-            arguments.flag("--converge", values->converge,
-                           "Without filtering on the graphics device, until the noise is below the tolerance");
-            arguments.option("--tolerance", values->tolerance, {0, 1}, "NUMBER",
-                             "With --reference [0] or --converge [0.01]: stop when the relative standard error is "
-                             "below; 0: draw all samples");
-            arguments.option("--bounces", reference.bounces, {1, 1000},
-                             "With --reference: surfaces that light may meet on its way; 1 is direct light");
-            arguments.option("--standard-error", values->standardError, "FILE.exr",
-                             "With --reference or --converge: the standard error of every number");
-            arguments.option("--turntable", values->turntable, {0, 100000},
-                             "Frames of a full turn; --out names them, as in frame_%03d.png; 0: one picture");
-            arguments.choice("--turn", values->turn, {"object", "environment"}, "What turns on the turntable");
-            arguments.option("--exposure", picture.exposure, {-50, 50}, "STOPS", "Of the .png");
-            arguments.choice("--tone", picture.toneCurve, {"clamp", "reinhard", "aces"}, "Curve of the .png");
-            declareColours(arguments, picture.colours);
-            arguments.option("--out", picture.out, "FILE",
-                             "x.png (sRGB) or x.exr (linear radiance); both may be given");
-            arguments.required();
-          },
-          [values](const Output& output) { run(output, *values); }};
+  return {
+      "render", "Render an object of a material under light, or a scene",
+      "  brdf render \"(0.3,0.1,0.05)*Lambertian + 0.5*GGX(alpha=0.2)\" --light directional:45,0 --out sphere.png "
+      "--out sphere.exr\n"
+      "  brdf render spectral.xml --illuminant A --light directional:45,0 --out lamp.png\n"
+      "  brdf render \"0.5*Lambertian\" --light point:2,2,3 --reference --samples 64 --size 64x64 --out true.exr\n"
+      "  brdf render \"0.5*GGX(alpha=0.3)\" --light directional:45,0 --converge --tolerance 0.02 --size 64x64 "
+      "--out converged.exr\n"
+      "  brdf render \"GGX(alpha=0.3)\" --ground --camera three-quarter --light directional:40,60 --turntable 3 "
+      "--size 64x64 --out frame_%03d.png",
+      [values](Arguments& arguments) {
+        RenderPicture& picture = values->picture;
+        ReferenceOptions& reference = values->options;
+        declareScene(arguments, values->subject);
+        arguments.option("--samples", values->samples, {1, 1 << 24},
+                         "A pixel: under an environment [64]; with --reference, paths at most [256]; with "
+                         "--converge, at most [4096]");
+        arguments.choice("--shadows", picture.shadows, {"none", "lights", "all"},
+                         "On the graphics device: of no light, of lights besides the environment, or of all");
+        arguments.choice("--shadow-cells", picture.shadowCells, {"8", "16", "32", "64"},
+                         "Of the environment's directions, a side: finer shadows for rays in proportion to the square");
+        arguments.flag("--reference", values->reference,
+                       "Path tracing on the CPU, unbiased: the truth that other pictures are compared with");
+        arguments.flag("--converge", values->converge,
+                       "Without filtering on the graphics device, until the noise is below the tolerance");
+        arguments.option("--tolerance", values->tolerance, {0, 1}, "NUMBER",
+                         "With --reference [0] or --converge [0.01]: stop when the relative standard error is "
+                         "below; 0: draw all samples");
+        arguments.option("--bounces", reference.bounces, {1, 1000},
+                         "With --reference: surfaces that light may meet on its way; 1 is direct light");
+        arguments.option("--standard-error", values->standardError, "FILE.exr",
+                         "With --reference or --converge: the standard error of every number");
+        arguments.option("--turntable", values->turntable, {0, 100000},
+                         "Frames of a full turn; --out names them, as in frame_%03d.png; 0: one picture");
+        arguments.choice("--turn", values->turn, {"object", "environment"}, "What turns on the turntable");
+        arguments.option("--exposure", picture.exposure, {-50, 50}, "STOPS", "Of the .png");
+        arguments.choice("--tone", picture.toneCurve, {"clamp", "reinhard", "aces"}, "Curve of the .png");
+        declareColours(arguments, picture.colours);
+        arguments.option("--out", picture.out, "FILE", "x.png (sRGB) or x.exr (linear radiance); both may be given");
+        arguments.required();
+      },
+      [values](const Output& output) { run(output, *values); }};
 }
 
 }  // namespace brdf::app

@@ -103,6 +103,7 @@ FrameDrawer frameDrawer() {
     render->SetShadows(request.shadows == "none"     ? vtkBRDFRender::SHADOWS_NONE
                        : request.shadows == "lights" ? vtkBRDFRender::SHADOWS_LIGHTS
                                                      : vtkBRDFRender::SHADOWS_ALL);
+    render->SetShadowCells(std::stoi(request.shadowCells));
     setColours(render.Get(), request.colours);
     RenderedFrame frame;
     if (request.converge) {
