@@ -46,8 +46,8 @@ TEST(ReferenceRender, AToleranceIsReachedOrSaidNotToBe) {
 TEST(ReferenceRender, TablesAreDrawnByIt) {
   const auto folder = scratchFolder();
   ASSERT_EQ(runBrdf(folder, {"convert", "(0.4,0.2,0.1)*Lambertian", "a.binary"}).exitCode, 0);
-  const json report = reportOf(folder, {"render", "a.binary", "--light", "directional:0,0", "--size", "17x17",
-                                        "--samples", "4", "--out", "a.exr"});
+  const json report = reportOf(folder, {"render", "a.binary", "--light", "directional:0,0", "--reference", "--size",
+                                        "17x17", "--samples", "4", "--out", "a.exr"});
   EXPECT_EQ(report["device"], "CPU");
   EXPECT_EQ(report["samples"], 4);
   const brdf::Image picture = brdf::readImage(folder / "a.exr");
