@@ -11,9 +11,16 @@ vtkBRDFConvergence::vtkBRDFConvergence(int width, int height, int maximum, doubl
   , Maximum(std::max((maximum + Replicates - 1) / Replicates, 1))
   , Tolerance(tolerance)
   , Spread(spread)
+  , LongestFrame(16) // few, where every frame is another place in the pixels
   , RoundEnd(std::min(RoundStart, this->Maximum))
   , Error(std::numeric_limits<double>::infinity())
 {
+  if (!spread)
+  {
+    // Up to about a second of a software device's time.
+    constexpr int mostPoints = 1 << 22;
+    this->LongestFrame = std::clamp(mostPoints / (width * height), 16, 256);
+  }
   this->Current.Count = this->RoundEnd;
   this->Place();
 }
@@ -57,7 +64,7 @@ bool vtkBRDFConvergence::Add(const std::vector<float>& rgba)
       this->RoundEnd = std::min(2 * this->RoundEnd, this->Maximum);
     }
   }
-  frame.Count = std::min(LongestFrame, this->RoundEnd - frame.First);
+  frame.Count = std::min(this->LongestFrame, this->RoundEnd - frame.First);
   this->Place();
   return true;
 }

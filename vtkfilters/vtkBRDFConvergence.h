@@ -22,8 +22,8 @@ public:
     double Offset[2] = { 0, 0 }; // of the place in the pixel from its centre, pixels
   };
 
-  // `maximum`: points a pixel at most, rounded up to a multiple of Replicates. `tolerance`: see brdf::ReplicateFilm::relativeError; 0 draws all.
-  // Without `spread` all frames see the pixels' centres.
+  // `maximum`: points a pixel at most, rounded up to a multiple of Replicates. `tolerance`: see
+  // brdf::ReplicateFilm::relativeError; 0 draws all. Without `spread` all frames see the pixels' centres.
   vtkBRDFConvergence(int width, int height, int maximum, double tolerance, bool spread);
 
   // What is to be drawn next.
@@ -42,12 +42,12 @@ private:
   void Place();
 
   static constexpr int RoundStart = 2; // points of a replicate in the first round
-  static constexpr int LongestFrame = 16;
 
   brdf::ReplicateFilm Picture;
   int Maximum; // points of a replicate
   double Tolerance;
   bool Spread;
+  int LongestFrame; // points
   int RoundEnd;
   int Rounds = 0; // done
   int FrameInReplicate = 0;

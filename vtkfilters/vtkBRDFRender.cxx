@@ -85,7 +85,7 @@ public:
       this->CastShadows(frame, wanted);
       for (Object* object : this->Objects())
       {
-        object->Mapper->SetSeed(frame);
+        object->Mapper->SetSeed(64 * this->Seed + frame); // at most 64 frames: EdgeSamples
       }
     };
   }
@@ -133,6 +133,7 @@ public:
   vtkNew<vtkRenderer> Renderer;
   vtkNew<vtkBRDFRadiancePass> Pass;
   vtkNew<vtkCamera> Camera;
+  int Seed = 0;
   bool CastsShadows = false;
   vtkBRDFShadows Shadows;
   Object Input;
@@ -402,6 +403,7 @@ int vtkBRDFRender::RequestData(vtkInformation*, vtkInformationVector** inputs, v
   scene.Pass->UnfilteredBackground = this->Mode == MODE_CONVERGING && this->BackgroundBlur <= 0;
   this->PrepareShadows();
   scene.Pass->EdgeSamples = this->EdgeSamples;
+  scene.Seed = this->Seed;
   std::copy_n(this->Size, 2, scene.Pass->Size);
   scene.Window->SetSize(this->Size);
   this->StandardError->Initialize();

@@ -109,8 +109,8 @@ public:
   ///@}
 
   ///@{
-  /** Another number gives a picture in converging mode whose noise has nothing to do with this one's; default 0. */
-  vtkSetClampMacro(Seed, int, 0, 4095);
+  /** Another number gives a picture whose noise has nothing to do with this one's; default 0. */
+  vtkSetClampMacro(Seed, int, 0, 1000);
   vtkGetMacro(Seed, int);
   ///@}
 

@@ -1,0 +1,165 @@
+// How far the shaders' environment light is from the truth: docs/rendering.md. No timing; minutes to run.
+//
+//   render_study convergence > convergence.csv   error of converging mode against the number of samples
+//   render_study bias > bias.csv                 bias and noise of interactive mode against roughness
+#include <brdf/base/Error.h>
+#include <brdf/io/EnvironmentMap.h>
+#include <brdf/material/LobeSum.h>
+
+#include <vtkBRDF.h>
+#include <vtkBRDFEnvironment.h>
+#include <vtkBRDFRender.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace {
+
+brdf::EnvironmentMap mapOf(const std::string& name) {
+  if (name == "one texel") {
+    // Radiance 1000 in one texel of 11 degrees, 0.1 in the rest of the upper half.
+    brdf::Image picture(32, 16, 3);
+    for (std::size_t y = 0; y < 8; ++y)
+      for (std::size_t x = 0; x < 32; ++x) std::fill_n(picture.pixel(x, y), 3, 0.1f);
+    std::fill_n(picture.pixel(20, 4), 3, 1000.0f);
+    return brdf::EnvironmentMap(picture);
+  }
+  return brdf::EnvironmentMap::read(std::string(BRDF_SOURCE_DIR) + "/datasets/environments/" + name + ".exr");
+}
+
+/// A sphere under a map, its pixels' centres only.
+class Subject {
+ public:
+  explicit Subject(const std::string& map, int size = 16) : size_(size) {
+    environment_->SetMap(mapOf(map));
+    render_->SetEnvironment(environment_);
+    render_->SetBackground(vtkBRDFRender::BACKGROUND_COLOR);
+    render_->SetSize(size, size);
+    render_->SetEdgeSamples(1);
+    render_->SetTolerance(0);
+  }
+  vtkBRDFRender* operator->() { return render_; }
+  void setMaterial(const std::string& expression) {
+    vtkNew<vtkBRDF> input;
+    input->SetBrdf(brdf::parseMaterialExpression(expression));
+    render_->SetInputData(input);
+  }
+  /// Green of the pixels whose centres see the sphere at less than 80 degrees.
+  std::vector<double> draw() {
+    if (!render_->UpdateAndCheck()) throw brdf::Error(brdf::Error::Kind::Device, {render_->GetPipelineErrorText()});
+    return inside(render_->GetOutput());
+  }
+  std::vector<double> standardError() { return inside(render_->GetStandardError()); }
+
+ private:
+  std::vector<double> inside(vtkImageData* image) const {
+    // The camera stands at 1.08 / sin 15 degrees; a ray at the angle a from its axis meets the unit sphere where the
+    // sine of the angle with the normal is sin a times the distance.
+    const double distance = 1.08 / std::sin(brdf::radians(15)), extent = std::tan(brdf::radians(15));
+    std::vector<double> values;
+    for (int y = 0; y < size_; ++y)
+      for (int x = 0; x < size_; ++x) {
+        const double s = extent * (2 * (x + 0.5) / size_ - 1), t = extent * (2 * (y + 0.5) / size_ - 1);
+        const double sine = distance * std::sin(std::atan(std::hypot(s, t)));
+        if (sine < std::sin(brdf::radians(80)))
+          values.push_back(double(static_cast<const float*>(image->GetScalarPointer(x, y, 0))[1]));
+      }
+    return values;
+  }
+
+  int size_;
+  vtkNew<vtkBRDFRender> render_;
+  vtkNew<vtkBRDFEnvironment> environment_;
+};
+
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / double(values.size()));
+}
+
+/// The standard error of replicates of n points each is the error of n points over the root of their number.
+void convergence() {
+  std::printf("map,material,sequence,n,error\n");
+  for (const char* material : {"0.2*Lambertian + GGX(alpha=0.3, ior=1.5)", "GGXConductor(alpha=0.1)"})
+    for (const char* map : {"venice", "sunset", "one texel"})
+      for (const int sequence : {vtkBRDFRender::SEQUENCE_RANDOM, vtkBRDFRender::SEQUENCE_LOW_DISCREPANCY}) {
+        Subject subject(map, 8);
+        subject->SetMode(vtkBRDFRender::MODE_CONVERGING);
+        subject->SetSequence(sequence);
+        subject.setMaterial(material);
+        for (int doubled = 0; doubled <= 12; ++doubled) {
+          const int n = 1 << doubled;
+          subject->SetMaximumSamples(8 * n);
+          subject->SetSeed(doubled);
+          const double picture = rms(subject.draw()), error = std::sqrt(8.0) * rms(subject.standardError());
+          std::printf("%s,\"%s\",%s,%d,%.6g\n", map, material,
+                      sequence == vtkBRDFRender::SEQUENCE_RANDOM ? "random" : "low-discrepancy", n, error / picture);
+          std::fflush(stdout);
+        }
+      }
+}
+
+/// Interactive mode drawn with many seeds: the mean's distance from the converged picture is the bias, the scatter
+/// about the mean the noise.
+void bias() {
+  constexpr int seeds = 64;
+  std::printf("map,alpha,samples,level_bias,bias,noise,bias_error\n");
+  for (const char* map : {"studio", "venice", "sunset", "one texel"}) {
+    Subject subject(map);
+    for (const char* alpha : {"0.02", "0.05", "0.1", "0.2", "0.4", "0.8"}) {
+      subject.setMaterial("GGXConductor(alpha=" + std::string(alpha) + ")");
+      subject->SetMode(vtkBRDFRender::MODE_CONVERGING);
+      subject->SetTolerance(0.002);
+      subject->SetMaximumSamples(8192);
+      subject->SetSeed(0);
+      const auto truth = subject.draw();
+      const double whole = rms(truth), doubt = rms(subject.standardError());
+      subject->SetMode(vtkBRDFRender::MODE_INTERACTIVE);
+      for (const int samples : {16, 64, 256}) {
+        subject->SetNumberOfSamples(samples);
+        std::vector<double> sum(truth.size()), squares(truth.size());
+        for (int seed = 0; seed < seeds; ++seed) {
+          subject->SetSeed(seed);
+          const auto drawn = subject.draw();
+          for (std::size_t i = 0; i < drawn.size(); ++i) {
+            sum[i] += drawn[i];
+            squares[i] += drawn[i] * drawn[i];
+          }
+        }
+        double off = 0, scatter = 0;
+        for (std::size_t i = 0; i < truth.size(); ++i) {
+          const double mean = sum[i] / seeds;
+          off += std::pow(mean - truth[i], 2) / double(truth.size());
+          scatter += std::max(0.0, squares[i] / seeds - mean * mean) * seeds / (seeds - 1.0) / double(truth.size());
+        }
+        // What the scatter and the truth's own noise leave in the distance is taken off.
+        const double left = scatter / seeds + doubt * doubt;
+        std::printf("%s,%s,%d,0,%.6g,%.6g,%.6g\n", map, alpha, samples, std::sqrt(std::max(0.0, off - left)) / whole,
+                    std::sqrt(scatter) / whole, std::sqrt(left) / whole);
+        std::fflush(stdout);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+int main(int count, char** words) try {
+  const std::string what = count == 2 ? words[1] : "";
+  if (what == "convergence")
+    convergence();
+  else if (what == "bias")
+    bias();
+  else
+    throw brdf::Error(brdf::Error::Kind::Usage,
+                      {"what to study", "render_study", "'" + what + "'", "convergence, bias"});
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "render_study: %s\n", error.what());
+  return 1;
+}
