@@ -1,4 +1,4 @@
-// How far the shaders' environment light is from the truth: docs/rendering.md. No timing; minutes to run.
+// How far the shaders' environment light is from the truth: docs/rendering-accuracy.md. No timing; minutes to run.
 //
 //   render_study convergence > convergence.csv   error of converging mode against the number of samples
 //   render_study bias > bias.csv                 bias and noise of interactive mode against roughness

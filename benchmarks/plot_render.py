@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Draws what render_study measures: docs/rendering.md.
+"""Draws what render_study measures: docs/rendering-accuracy.md.
 
     render_study convergence > convergence.csv
     render_study bias > bias.csv
@@ -66,6 +66,8 @@ for axes, count in zip(all_axes, counts):
         axes.loglog(alphas, [100 * float(row["bias"]) for row in chosen], "o-", color=colour, markersize=4, label=name)
         axes.loglog(alphas, [100 * float(row["noise"]) for row in chosen], ":", color=colour)
     axes.set_title(f"{count} samples a pixel", fontsize=9)
+    axes.set_xticks(alphas, [f"{alpha:g}" for alpha in alphas], fontsize=8)
+    axes.minorticks_off()
     axes.set_xlabel("roughness alpha of GGXConductor")
     axes.grid(True, which="major", alpha=0.25)
 all_axes[0].set_ylabel("bias; dotted: noise\n(% of the picture's rms)")

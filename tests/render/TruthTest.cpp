@@ -73,7 +73,7 @@ TEST_F(Render, AllWaysToDrawAgreeWithTheSumOverTheMap) {
       // Squares of Student's t with 7 and with 1023 degrees of freedom.
       EXPECT_LT(converging / count, 1.4 + 4 * 2.8 / std::sqrt(count)) << what;
       EXPECT_LT(tracing / count, 1 + 4 * std::sqrt(2 / count)) << what;
-      // Filtering: docs/rendering.md says how much for which map.
+      // Filtering: docs/rendering-accuracy.md says how much for which map.
       EXPECT_LT(std::sqrt(biased / square), std::string(name) == "sun" ? 0.03 : 0.005) << what;
       RecordProperty(what, std::to_string(converging / count) + ' ' + std::to_string(tracing / count) + ' ' +
                                std::to_string(std::sqrt(biased / square)));
