@@ -29,6 +29,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
+#include "vtkWeakPointer.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/render/Scene.h>
@@ -137,6 +138,8 @@ public:
   bool CastsShadows = false;
   vtkBRDFShadows Shadows;
   Object Input;
+  vtkWeakPointer<vtkPolyData> InputSource; // what the input's surface was made from, and its time then
+  vtkMTimeType InputTime = 0;
   std::vector<std::unique_ptr<Object>> Others;
   vtkSmartPointer<vtkPolyData> Sphere = vtkBRDFSurface::UnitSphere();
 };
@@ -238,7 +241,13 @@ void vtkBRDFRender::PrepareObjects(vtkInformationVector** inputs)
   {
     scene.Input.Material->SetBrdf(GetInputBrdf(inputs));
     vtkPolyData* object = vtkPolyData::GetData(inputs[1]);
-    scene.Input.Surface = object ? vtkBRDFSurface::Complete(object) : nullptr;
+    const vtkMTimeType time = object ? object->GetMTime() : 0;
+    if (object != scene.InputSource || time != scene.InputTime) // a sweep of the material keeps the surface
+    {
+      scene.Input.Surface = object ? vtkBRDFSurface::Complete(object) : nullptr;
+      scene.InputSource = object;
+      scene.InputTime = time;
+    }
   }
   for (Scene::Object* object : scene.Objects())
   {
