@@ -100,3 +100,10 @@ vec3 brdfDiffuse(vec3 normal)
 #endif
   return diffuse;
 }
+
+// Four more numbers in [0, 1) for sample i: the sequence R4 (M. Roberts, 2018), shifted likewise.
+vec4 brdfFour(int i, uvec2 shift)
+{
+  uvec4 words = shift.xyyx * uvec4(1u, 1u, 3u, 5u) + uint(i) * uvec4(3679390609u, 3152041523u, 2700274805u, 2313257605u);
+  return vec4(ivec4(words >> 8u)) * (1.0 / 16777216.0);
+}

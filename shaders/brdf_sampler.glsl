@@ -87,6 +87,22 @@ int brdfCell(int first, int count, int search, int part, float number)
   return brdfStep(first, count, part, number, cell, 1);
 }
 
+// A point (x, phi) of a table and its density per solid angle of the chart: the point that two numbers draw, or, where
+// `drawn` is false, one that is given. One search serves both.
+vec3 brdfTablePoint(ivec3 table, int search, bool drawn, vec2 number)
+{
+  int part = drawn ? 1 : 0;
+  int row = brdfCell(table.z, table.x, search, part, number.x);
+  vec4 across = texelFetch(brdfSamplers, table.z + row);
+  int start = table.z + table.x + row * table.y;
+  vec4 along = texelFetch(brdfSamplers, start + brdfCell(start, table.y, search, part, number.y));
+  vec2 sizes = vec2(across.z - across.x, along.z - along.x), shares = vec2(across.w - across.y, along.w - along.y);
+  vec2 place = clamp((number - vec2(across.y, along.y)) / shares, 0.0, 1.0);
+  vec2 point = drawn ? vec2(across.x, along.x) + place * sizes : number;
+  float density = shares.x * shares.y / (2.0 * sizes.x * sizes.y);
+  return vec3(point, table.x > 0 && point.x <= across.z ? density : 0.0);
+}
+
 // A point (x, phi) of a table from two numbers.
 vec2 brdfTableDraw(ivec3 table, int search, vec2 u)
 {
@@ -182,20 +198,31 @@ int brdfPick(vec4 shares, inout float u)
   return k;
 }
 
+vec3 brdfSharesOf(brdfViewer v, bool turning, int k)
+{
+  vec3 shares = k == 0 ? v.shares[0] : v.shares[1];
+  if (!turning)
+    shares = k < 2 ? shares : k == 2 ? v.shares[2] : v.shares[3];
+  return shares;
+}
+
+ivec3 brdfTableOf(brdfViewer v, bool turning, int k, int chart)
+{
+  ivec3 first = k == 0 ? v.tables[0] : v.tables[2], second = k == 0 ? v.tables[1] : v.tables[3];
+  if (!turning)
+  {
+    first = k < 2 ? first : k == 2 ? v.tables[4] : v.tables[6];
+    second = k < 2 ? second : k == 2 ? v.tables[5] : v.tables[7];
+  }
+  return chart == 0 ? first : second;
+}
+
 // The part that a number chooses (0 the cosine, then the charts) of the neighbour that it chooses, and that one's table.
 int brdfPart(brdfViewer v, bool turning, inout float u, out ivec3 table)
 {
   int k = brdfPick(v.weights, u);
-  vec3 shares = k == 0 ? v.shares[0] : v.shares[1];
-  ivec3 first = k == 0 ? v.tables[0] : v.tables[2], second = k == 0 ? v.tables[1] : v.tables[3];
-  if (!turning)
-  {
-    shares = k < 2 ? shares : k == 2 ? v.shares[2] : v.shares[3];
-    first = k < 2 ? first : k == 2 ? v.tables[4] : v.tables[6];
-    second = k < 2 ? second : k == 2 ? v.tables[5] : v.tables[7];
-  }
-  int part = brdfPick(vec4(shares, 0.0), u);
-  table = part == 2 ? second : first;
+  int part = brdfPick(vec4(brdfSharesOf(v, turning, k), 0.0), u);
+  table = brdfTableOf(v, turning, k, part == 2 ? 1 : 0);
   return part;
 }
 

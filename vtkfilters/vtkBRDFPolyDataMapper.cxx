@@ -22,6 +22,7 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTimerLog.h"
 #include "vtkWeakPointer.h"
 
 #include <brdf/base/Error.h>
@@ -179,6 +180,16 @@ void vtkBRDFPolyDataMapper::UpdateMaterial()
   }
 }
 
+int vtkBRDFPolyDataMapper::AdaptedSamples(double allocated, double seconds, int samples, int minimum, int maximum)
+{
+  minimum = std::min(minimum, maximum);
+  if (!(seconds > 0))
+  {
+    return allocated < 1 ? minimum : maximum;
+  }
+  return static_cast<int>(std::clamp(std::floor(allocated / seconds * samples), double(minimum), double(maximum)));
+}
+
 bool vtkBRDFPolyDataMapper::GetResampled() const
 {
   return this->Material->Table.resampled;
@@ -215,7 +226,25 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
     {
       this->Shadows->Activate();
     }
+    double start = 0;
+    this->SamplesDrawn = this->NumberOfSamples;
+    if (this->AdaptSamples)
+    {
+      this->SamplesDrawn = AdaptedSamples(actor->GetAllocatedRenderTime(),
+                                          this->SecondsDrawn,
+                                          this->LastSamples,
+                                          this->MinimumSamples,
+                                          this->NumberOfSamples);
+      glFinish();
+      start = vtkTimerLog::GetUniversalTime();
+    }
     this->Superclass::RenderPiece(renderer, actor);
+    if (this->AdaptSamples)
+    {
+      glFinish();
+      this->SecondsDrawn = vtkTimerLog::GetUniversalTime() - start;
+      this->LastSamples = this->SamplesDrawn;
+    }
     for (const auto& buffer : this->Material->Buffers)
     {
       buffer->Deactivate();
@@ -338,7 +367,7 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
   }
   if (shader.NumberOfTerms() > 0)
   {
-    const auto samples = shader.Samples(this->NumberOfSamples);
+    const auto samples = shader.Samples(this->SamplesDrawn);
     program->SetUniform3fv("brdfScales", shader.NumberOfTerms(), shader.Scales().data());
     program->SetUniform1iv("brdfSamples", shader.NumberOfTerms(), samples.data());
     if (this->Mode == MODE_CONVERGING)
@@ -464,6 +493,8 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Environment: " << this->Environment << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
+     << indent << "AdaptSamples: " << this->AdaptSamples << "\n"
+     << indent << "MinimumSamples: " << this->MinimumSamples << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
      << indent << "Mode: " << this->Mode << "\n"
      << indent << "Sequence: " << this->Sequence << "\n"

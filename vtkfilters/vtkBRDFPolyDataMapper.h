@@ -103,6 +103,25 @@ public:
   ///@}
 
   ///@{
+  /** Whether as many samples are drawn as the time allocated to the actor allows (vtkProp::GetAllocatedRenderTime,
+   * which renderers set from vtkRenderWindow::SetDesiredUpdateRate: interactors ask for a high rate while something
+   * moves and a low one at rest), between MinimumSamples (default 4) and NumberOfSamples; off by default. The time of a
+   * sample is that of the last drawing, for which the device is waited for. */
+  vtkSetMacro(AdaptSamples, bool);
+  vtkGetMacro(AdaptSamples, bool);
+  vtkBooleanMacro(AdaptSamples, bool);
+  vtkSetClampMacro(MinimumSamples, int, 1, 1 << 20);
+  vtkGetMacro(MinimumSamples, int);
+  ///@}
+
+  /** Samples a pixel of the last drawing in interactive mode. */
+  int GetSamplesDrawn() const { return this->SamplesDrawn; }
+
+  /** What AdaptSamples chooses when `samples` have taken `seconds` and `allocated` seconds may pass: in proportion,
+   * between the bounds; the minimum where nothing has been drawn (seconds 0) and less than a second is allowed. */
+  static int AdaptedSamples(double allocated, double seconds, int samples, int minimum, int maximum);
+
+  ///@{
   /** Levels of the map added to each sample's: 0 (the default) takes the mean over the sample's solid angle, to the
    * nearest level; 1 over four times it. More hides noise and leaks light into dark places: at 64 samples the rms error
    * of conductors of roughness 0.02 to 0.3 under the shipped maps is least between -1 and 0.5, up to four times that
@@ -208,6 +227,11 @@ private:
   vtkBRDFShadows* Shadows = nullptr;
   std::string ErrorText;
   int NumberOfSamples = 64;
+  bool AdaptSamples = false;
+  int MinimumSamples = 4;
+  int SamplesDrawn = 0;
+  int LastSamples = 0;     // of the last drawing with AdaptSamples
+  double SecondsDrawn = 0; // of the last drawing with AdaptSamples
   double ResamplingTolerance = 0.02;
   double LevelBias = 0;
   int Mode = MODE_INTERACTIVE;

@@ -192,6 +192,33 @@ std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
                                                       : "brdfFrom" + first + "(v, point)";
   const std::string retro =
     kind == Kind::HalfAndRetro ? "    density += brdfChartDensity(S, v, TURNING, 1, brdfToRetro(v, wi));\n" : "";
+  // Of one neighbour alone, chosen by its weight: draw and density by one search a chart.
+  std::string passes;
+  if (kind == Kind::HalfAndRetro)
+  {
+    passes = "  bool retro = part == 2;\n"
+             "  vec3 given = brdfToHalf(v, wi);\n"
+             "  vec3 at = brdfTablePoint(brdfTableOf(v, TURNING, k, retro ? 1 : 0), S.search, part != 0, part != 0 ? u "
+             ": given.xy);\n"
+             "  wi = part == 0 ? wi : retro ? brdfFromRetro(v, at.xy) : brdfFromHalf(v, at.xy);\n"
+             "  vec3 half1 = brdfToHalf(v, wi), retro1 = brdfToRetro(v, wi);\n"
+             "  vec3 other = brdfTablePoint(brdfTableOf(v, TURNING, k, retro ? 0 : 1), S.search, false, retro ? "
+             "half1.xy : retro1.xy);\n"
+             "  density = shares.x * wi.z * 0.318309886 + (retro ? shares.z * at.z + shares.y * other.z / half1.z\n"
+             "    : shares.y * at.z / half1.z + shares.z * other.z);\n";
+  }
+  else
+  {
+    passes =
+      "  vec3 given = brdfTo" + first +
+      "(v, wi);\n"
+      "  vec3 at = brdfTablePoint(brdfTableOf(v, TURNING, k, 0), S.search, part != 0, part != 0 ? u : given.xy);\n"
+      "  wi = part == 0 ? wi : brdfFrom" +
+      first +
+      "(v, at.xy);\n"
+      "  density = shares.x * wi.z * 0.318309886 + shares.y * at.z" +
+      (kind == Kind::Half ? " / (2.0 * length(wi + v.wo))" : "") + ";\n";
+  }
   std::string text =
     "brdfSampler S = brdfSampler(brdfSamplerShapes[A], brdfSamplerShapes[B], brdfSamplerShapes[C], "
     "D);\n"
@@ -204,6 +231,15 @@ std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
     draw +
     ";\n"
     "  return wi.z > 0.0 && v.wo.z > 0.0 ? wi : vec3(0.0);\n"
+    "}\n"
+    "vec3 NAME_choice(brdfViewer v, vec2 u, out float density)\n"
+    "{\n"
+    "  int k = brdfPick(v.weights, u.x);\n"
+    "  vec3 shares = brdfSharesOf(v, TURNING, k);\n"
+    "  int part = brdfPick(vec4(shares, 0.0), u.x);\n"
+    "  vec3 wi = brdfCosineDraw(u);\n" +
+    passes +
+    "  return wi.z > 0.0 && v.wo.z > 0.0 && density > 0.0 ? wi : vec3(0.0);\n"
     "}\n"
     "float NAME_density(brdfViewer v, vec3 wi)\n"
     "{\n"
@@ -249,10 +285,13 @@ std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
   }
   text += "  for (int i = 0; i < samples; i += " + std::to_string(together) + ")\n  {\n";
   const std::string lines[] = {
-    "vec3 wi# = " + name + (tables ? "_draw(viewer" : "_sample(wo") + ", brdfPoint(i + #, share, shift));\n",
-    "float density# = " + name + (tables ? "_density(viewer, wi#);\n" : "_pdf(wi#, wo);\n"),
+    tables ? "float density#;\n    vec3 wi# = " + name + "_choice(viewer, brdfPoint(i + #, share, shift), density#);\n"
+           : "vec3 wi# = " + name + "_sample(wo, brdfPoint(i + #, share, shift));\n",
+    tables ? "" : "float density# = " + name + "_pdf(wi#, wo);\n",
     "float inverse# = share / density#;\n",
-    type + " weight# = " + (term.Model ? name + "_shape(wi#, wo)" : "(" + name + "_shape(wi#, wo) - brdfTableBase)") +
+    type + " weight# = " +
+      (term.Model ? name + "_shape(wi#, wo)"
+                  : std::string("(brdfTable_drawn(wi#, wo, brdfFour(i + #, shift)) - brdfTableBase)")) +
       " * (wi#.z * inverse#);\n",
     "bool counts# = i + # < samples && wi#.z > 0.0 && density# > 0.0;\n",
     "vec3 light# = brdfRadiance(frame * wi#, inverse#);\n",

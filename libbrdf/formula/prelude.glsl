@@ -79,7 +79,17 @@ float brdf_atan(float x) {
 
 float brdf_atan2(float y, float x) {
   if (x == 0.0 && y == 0.0) return 0.0;
-  float r = abs(y) > abs(x) ? 1.57079633 - brdf_atan(abs(x) / abs(y)) : brdf_atan(abs(y) / abs(x));
+  float r = brdf_atan(min(abs(x), abs(y)) / max(abs(x), abs(y)));
+  r = abs(y) > abs(x) ? 1.57079633 - r : r;
+  r = x < 0.0 ? BRDF_PI - r : r;
+  return y < 0.0 ? -r : r;
+}
+
+// The same within 1e-5 in half the time (Abramowitz and Stegun 4.4.47), where that is a small part of a table's cell.
+float brdf_atan2Coarse(float y, float x) {
+  float t = min(abs(x), abs(y)) / max(max(abs(x), abs(y)), 1e-37), z = t * t;
+  float r = t * (0.999866 + z * (-0.3302995 + z * (0.180141 + z * (-0.085133 + z * 0.0208351))));
+  r = abs(y) > abs(x) ? 1.57079633 - r : r;
   r = x < 0.0 ? BRDF_PI - r : r;
   return y < 0.0 ? -r : r;
 }

@@ -54,6 +54,14 @@ std::string placeText(const GridLocator::Axis& axis, std::size_t a, const std::s
   return text;
 }
 
+/// With angles to 1e-5: a drawn cell need not be exact to the last digit of its weight.
+std::string coarse(std::string text) {
+  const std::string exact = "brdf_atan2(", quick = "brdf_atan2Coarse(";
+  for (std::size_t at = text.find(exact); at != std::string::npos; at = text.find(exact, at + quick.size()))
+    text.replace(at, exact.size(), quick);
+  return text;
+}
+
 /// The interpolant over the first `dimensions` axes of the corners at `offset`, one axis after the other.
 std::string interpolantText(const std::string& cells, std::size_t dimensions, const std::string& offset) {
   if (dimensions == 0) return "texelFetch(" + cells + ", cell" + offset + ")";
@@ -101,19 +109,23 @@ GridShader gridShader(const GridBrdf& grid, std::string_view nameView) {
       outputs.push_back(parsed.variables.at("coordinate_" + std::to_string(a)));
   }
   const formula::GlslBody body = formula::printGlsl(graph, outputs, {});
-  std::string text = "uniform samplerBuffer " + cells + ";\n" + body.functions + "vec3 " + name +
-                     "(vec3 wi, vec3 wo)\n{\n" + body.statements + "  bool inside = wi.z > 0.0 && wo.z > 0.0;\n" +
-                     "  int cell = 0;\n";
+  // Where the pair lies; the two functions differ in what they make of it.
+  std::string place = body.statements + "  bool inside = wi.z > 0.0 && wo.z > 0.0;\n  int cell = 0;\n", choice;
   for (std::size_t a = 0; a < axes.size(); ++a) {
-    text += "  float x" + std::to_string(a) + " = " + body.outputs[a] + ";\n";
-    text += placeText(axes[a], a, cells, shader.texels.size() / 4);
+    const std::string n = std::to_string(a);
+    place += "  float x" + n + " = " + body.outputs[a] + ";\n" + placeText(axes[a], a, cells, shader.texels.size() / 4);
+    if (!nearest) choice += "  cell += u." + std::string(1, "xyzw"[a]) + " < weight" + n + " ? step" + n + " : 0;\n";
     if (axes[a].uniform) continue;
     for (std::size_t i = 0; i < axes[a].points.size(); ++i)
       for (const std::size_t at : {i, std::min(i + 1, axes[a].points.size() - 1), i, i})
         shader.texels.push_back(static_cast<float>(axes[a].points[at]));
   }
-  text += "  vec4 sum = " + interpolantText(cells, nearest ? 0 : axes.size(), "") + ";\n" +
-          "  return inside && sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);\n}\n";
+  std::string text = "uniform samplerBuffer " + cells + ";\n" + body.functions + "vec3 " + name +
+                     "(vec3 wi, vec3 wo)\n{\n" + place +
+                     "  vec4 sum = " + interpolantText(cells, nearest ? 0 : axes.size(), "") + ";\n" +
+                     "  return inside && sum.a > 0.0 ? sum.rgb / sum.a : vec3(0.0);\n}\n";
+  text += "vec3 " + name + "_drawn(vec3 wi, vec3 wo, vec4 u)\n{\n" + coarse(place) + choice +
+          "  return inside ? texelFetch(" + cells + ", cell).rgb : vec3(0.0);\n}\n";
   shader.glsl = std::move(text);
   return shader;
 }

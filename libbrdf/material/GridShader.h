@@ -13,7 +13,9 @@ namespace brdf {
 struct GridShader {
   /// vec3 NAME(vec3 wi, vec3 wo): f_r by channel (monochrome grids: three times the same), 1/sr; 0 below the horizon
   /// and where no cell is valid. Reads the samplerBuffer NAME_cells, which it declares; needs formula::glslPrelude().
-  /// Depends on the layout and the kind of look-up alone.
+  /// vec3 NAME_drawn(vec3 wi, vec3 wo, vec4 u): of the cells that the look-up interpolates one, drawn by four numbers in
+  /// [0, 1) with its weight: the mean over u is NAME, but that invalid cells count as 0. One fetch instead of up to 16.
+  /// The text depends on the layout and the kind of look-up alone.
   std::string glsl;
   /// Texels of NAME_cells, four floats each: for every cell its channels and 1, or 0 four times where it is invalid;
   /// then the points of axes that are not equally spaced.

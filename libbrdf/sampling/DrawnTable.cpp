@@ -49,15 +49,11 @@ std::vector<double> floors(const GridBrdf& grid) {
   }
   const std::size_t channels = grid.channels().count();
   std::vector<double> values(channels * count), base;
-  std::vector<std::uint8_t> valid(count);
-  grid.evaluate(pairs.view(), values.data(), valid.data());
+  grid.evaluate(pairs.view(), values.data(), nullptr);
   for (std::size_t c = 0; c < channels; ++c) {
-    std::vector<double> known;
-    for (std::size_t i = 0; i < count; ++i)
-      if (valid[i]) known.push_back(values[c * count + i]);
-    const auto rank = known.begin() + static_cast<std::ptrdiff_t>(known.size() / 10);
-    if (!known.empty()) std::nth_element(known.begin(), rank, known.end());
-    base.push_back(known.empty() ? 0.0 : std::max(0.0, *rank));
+    const auto first = values.begin() + static_cast<std::ptrdiff_t>(c * count), rank = first + count / 50;
+    std::nth_element(first, rank, first + count);
+    base.push_back(std::max(0.0, *rank));
   }
   return base;
 }

@@ -147,6 +147,41 @@ TEST_P(TableGlsl, LooksUpWhatTheProcessorDoes) {
   EXPECT_LT(zeros, 3 * set.size() * 3 / 4);
 }
 
+TEST_P(TableGlsl, DrawnCellsAverageToTheLookUp) {
+  // Without invalid cells, which only the look-up leaves out.
+  GridData data = noise(GetParam())->data();
+  data.states.clear();
+  const GridBrdf grid(std::move(data), "test", GetParam().lookup);
+  const GridShader shader = gridShader(grid, "table");
+  constexpr std::size_t draws = 4000;
+  std::mt19937 random(6);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  const CheckPairs all = adversarialPairs(1, 53, false).rounded();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const Direction wi = all.wi(k), wo = all.wo(k);
+    std::vector<vtkBRDFShaderProbe::Column> columns;
+    const double numbers[] = {wi[0], wi[1], wi[2], wo[0], wo[1], wo[2]};
+    for (std::size_t c = 0; c < 6; ++c)
+      columns.push_back({std::string("ix iy iz ox oy oz").substr(3 * c, 2),
+                         std::vector<float>(draws, static_cast<float>(numbers[c]))});
+    for (const char* name : {"u0", "u1", "u2", "u3"}) {
+      columns.push_back({name, {}});
+      for (std::size_t i = 0; i < draws; ++i)
+        columns.back().Values.push_back(std::min(uniform(random), 0x1.fffffep-1f));
+    }
+    const auto got = probe().Evaluate(formula::glslPrelude() + shader.glsl, columns,
+                                      {"table_drawn(vec3(ix, iy, iz), vec3(ox, oy, oz), vec4(u0, u1, u2, u3)).r",
+                                       "table(vec3(ix, iy, iz), vec3(ox, oy, oz)).r"},
+                                      {{"table_cells", shader.texels}});
+    double sum = 0, squares = 0;
+    for (const float value : got[0]) sum += double(value), squares += double(value) * double(value);
+    const double mean = sum / draws, deviation = std::sqrt(std::max(0.0, squares / draws - mean * mean) / draws);
+    // Coarse angles may draw the neighbours of the cells that the look-up mixes only where azimuths mean nothing.
+    if (std::hypot(wi[0] + wo[0], wi[1] + wo[1]) < 1e-2 || std::hypot(wi[0] - wo[0], wi[1] - wo[1]) < 1e-2) continue;
+    EXPECT_NEAR(mean, double(got[1][0]), 5 * deviation + 2e-3) << directionText(wi, wo);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Layouts, TableGlsl, testing::ValuesIn(layouts()),
                          [](const auto& test) { return std::string(test.param.name); });
 

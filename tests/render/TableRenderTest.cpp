@@ -14,6 +14,11 @@
 #include <brdf/render/ReferenceRenderer.h>
 #include <brdf/sampling/Sequence.h>
 
+#include <vtkActor.h>
+#include <vtkBRDFPolyDataMapper.h>
+#include <vtkRenderer.h>
+#include <vtkSphereSource.h>
+
 #include <filesystem>
 #include <random>
 
@@ -119,7 +124,7 @@ TEST_P(TableRender, UnderMapsAgreesWithTheReferenceRenderer) {
   const BrdfPointer brdf = GetParam().make();
   render_->SetSize(size, size);
   render_->SetEnvironment(environment_);
-  render_->SetNumberOfSamples(1024);
+  render_->SetNumberOfSamples(brdf->symmetry() == brdf::Symmetry::Anisotropic ? 4096 : 1024);
   for (const char* name : {"venice", "studio"}) {
     ASSERT_TRUE(environment_->ReadFile(rendertest::shippedMap(name)));
     draw(brdf);
@@ -245,6 +250,47 @@ TEST_F(DrawnBrdf, ALobeWithoutASamplerIsDrawnByTablesOfItsOwnAndNeverCompilesAga
     EXPECT_NEAR(pixel(14, 13)[0], albedo, 0.02 * albedo) << width;
   }
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
+}
+
+TEST(AdaptedSamples, AreInProportionToTheTimeAllowedBetweenTheBounds) {
+  // 64 samples took 0.2 s; 0.05 s are allowed: 16.
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.05, 0.2, 64, 4, 256), 16);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.001, 0.2, 64, 4, 256), 4);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(1e4, 0.2, 64, 4, 256), 256);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.05, 0, 0, 4, 256), 4);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(1e4, 0, 0, 4, 256), 256);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0, 0.2, 64, 8, 2), 2);
+}
+
+TEST_F(DrawnBrdf, AMovingSceneGetsFewerSamplesAndOneAtRestAllOfThem) {
+  vtkNew<vtkBRDFHeadlessRenderWindow> window;
+  window->SetSize(64, 64);
+  vtkNew<vtkRenderer> renderer;
+  window->AddRenderer(renderer);
+  vtkNew<vtkSphereSource> sphere;
+  vtkNew<vtkBRDFPolyDataMapper> mapper;
+  vtkNew<vtkBRDF> input;
+  input->SetBrdf(formula("GGX(alpha=0.3)"));
+  mapper->SetBRDFData(input);
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  mapper->SetEnvironment(environment_);
+  mapper->SetNumberOfSamples(128);
+  mapper->AdaptSamplesOn();
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  renderer->AddActor(actor);
+  window->SetDesiredUpdateRate(1e6);  // as while moving, but so that no machine can keep it
+  for (int frame = 0; frame < 3; ++frame) {
+    window->Render();
+    EXPECT_EQ(mapper->GetSamplesDrawn(), 4);
+  }
+  window->SetDesiredUpdateRate(1e-4);  // at rest
+  window->Render();
+  EXPECT_EQ(mapper->GetSamplesDrawn(), 128);
+  mapper->AdaptSamplesOff();
+  window->SetDesiredUpdateRate(1e6);
+  window->Render();
+  EXPECT_EQ(mapper->GetSamplesDrawn(), 128);
 }
 
 }  // namespace
