@@ -164,13 +164,20 @@ void vtkBRDFAuditView::AddMatrix(const Frame& frame)
   const int small = std::max(6, static_cast<int>(std::min({ text, 0.72 * cellHeight, cellWidth / 4.4 })));
   const auto x = [&](std::size_t column) { return frame.Low[0] + left + cellWidth * static_cast<double>(column); };
   const auto y = [&](std::size_t row) { return frame.High[1] - above - cellHeight * static_cast<double>(row); };
-  std::vector<Rectangle> cells;
+  std::vector<Rectangle> cells; // what comes later is drawn on top
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::size_t column = checkOf[Text(table, row, "check")], line = modelOf[Text(table, row, "model")];
+    cells.push_back({ { x(column) + 1, y(line + 1) + 1 },
+                      { x(column + 1) - 1, y(line) - 1 },
+                      FillOf(Text(table, row, "state")) });
+  }
+  AddRectangles(this->GetRenderer(), cells);
   std::vector<std::vector<double>> allowed(checks.size());
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const std::size_t column = checkOf[Text(table, row, "check")], line = modelOf[Text(table, row, "model")];
     const std::string state = Text(table, row, "state");
-    cells.push_back({ { x(column) + 1, y(line + 1) + 1 }, { x(column + 1) - 1, y(line) - 1 }, FillOf(state) });
     if (state != "declared")
     {
       allowed[column].push_back(Number(table, row, "allowed"));
@@ -184,7 +191,6 @@ void vtkBRDFAuditView::AddMatrix(const Frame& frame)
               .Foreground = state == "failed" ? Color{ 1, 1, 1 } : Ink,
               .Bold = state == "failed" });
   }
-  AddRectangles(this->GetRenderer(), cells);
   for (std::size_t line = 0; line < models.size(); ++line)
   {
     AddText(this->GetRenderer(),
@@ -238,13 +244,19 @@ void vtkBRDFAuditView::AddList(const Frame& frame)
             { columns[k], line(0) },
             { .Size = size, .Vertical = Align::Center, .Foreground = Faint });
   }
-  std::vector<Rectangle> chips;
+  std::vector<Rectangle> chips; // what comes later is drawn on top
+  for (vtkIdType row = 0; row < rows; ++row)
+  {
+    const double y = line(row + 1);
+    chips.push_back(
+      { { frame.Low[0], y - 0.45 * height }, { frame.High[0], y + 0.45 * height }, FillOf(Text(table, row, "state")) });
+  }
+  AddRectangles(this->GetRenderer(), chips);
   const auto letters = static_cast<std::size_t>(std::max(8.0, 1.8 * (frame.High[0] - columns[3]) / em));
   for (vtkIdType row = 0; row < rows; ++row)
   {
     const double y = line(row + 1);
     const std::string state = Text(table, row, "state");
-    chips.push_back({ { frame.Low[0], y - 0.45 * height }, { frame.High[0], y + 0.45 * height }, FillOf(state) });
     const TextStyle style = { .Size = size,
                               .Vertical = Align::Center,
                               .Foreground = state == "failed" ? Color{ 1, 1, 1 } : Ink };
@@ -256,7 +268,6 @@ void vtkBRDFAuditView::AddList(const Frame& frame)
     AddText(this->GetRenderer(), Limit(Number(table, row, "allowed")), { columns[2], y }, style);
     AddText(this->GetRenderer(), Shortened(Text(table, row, "at"), letters), { columns[3], y }, style);
   }
-  AddRectangles(this->GetRenderer(), chips);
 }
 
 void vtkBRDFAuditView::AddLegend(int width, int text)

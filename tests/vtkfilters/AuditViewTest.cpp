@@ -50,6 +50,15 @@ double share(vtkImageData* image, int red, int green, int blue) {
   return static_cast<double>(found) / static_cast<double>(count);
 }
 
+/// Share of dark pixels: letters of grey ink, their soft edges included.
+double ink(vtkImageData* image) {
+  const auto* pixels = static_cast<const unsigned char*>(image->GetScalarPointer());
+  const vtkIdType count = image->GetNumberOfPoints();
+  vtkIdType found = 0;
+  for (vtkIdType k = 0; k < count; ++k) found += pixels[3 * k] + pixels[3 * k + 1] + pixels[3 * k + 2] < 400;
+  return static_cast<double>(found) / static_cast<double>(count);
+}
+
 class AuditView : public testing::Test {
  protected:
   void SetUp() override {
@@ -76,6 +85,22 @@ TEST_F(AuditView, ShowsADeclaredLawInAnotherColour) {
   const double clean = failed("passed", 3);
   EXPECT_NEAR(failed("declared", 3), clean, 1e-4);
   EXPECT_GT(share(image_, 250, 222, 140), 0.02);
+}
+
+TEST_F(AuditView, WritesOnTheRowsOfAListAndTheCellsOfAMatrix) {
+  for (const int models : {1, 3}) {
+    const auto table = audit("passed", models);
+    view_->SetChecks(table);
+    ASSERT_TRUE(view_->Capture(image_)) << view_->GetErrorText();
+    const double before = ink(image_);
+    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row) {
+      table->SetValueByName(row, "at", vtkVariant("MMMMMMMMMMMM"));
+      if (models > 1) table->SetValueByName(row, "worst", vtkVariant(8.88e-88));
+    }
+    table->Modified();
+    ASSERT_TRUE(view_->Capture(image_)) << view_->GetErrorText();
+    EXPECT_GT(ink(image_), before + 2e-4) << models << " models: the text is there";
+  }
 }
 
 TEST_F(AuditView, DrawsAnAlbedoCurveInItsChannelsColour) {
