@@ -60,7 +60,7 @@ std::string errorMeasureLabel(const ErrorMeasure& measure) {
   const std::string r = inNames(measure.metric->formula());
   switch (measure.average) {
     case ErrorAverage::RootMeanSquare:
-      return "root mean square of " + r + unitOf(measure);
+      return "rms of " + r + unitOf(measure);
     case ErrorAverage::Absolute:
       return "mean of |" + r + "|" + unitOf(measure);
     default:

@@ -90,7 +90,7 @@ TEST(ErrorCommand, VectorFilesHoldTheWords) {
               "--histogram bars.svg");
   ASSERT_EQ(run.exitCode, 0) << run.err;
   const std::string disk = brdf::readFile(folder / "disk.svg"), bars = brdf::readFile(folder / "bars.svg");
-  for (const char* words : {"Where A differs from B", "A: GGX", "B: Lambertian", "phi = 0"})
+  for (const char* words : {"A against B", "A: GGX", "B: Lambertian", "phi = 0"})
     EXPECT_NE(disk.find(words), std::string::npos) << words;
   EXPECT_NE(bars.find("median"), std::string::npos);
   EXPECT_EQ(brdf::readFile(folder / "disk.pdf").substr(0, 5), "%PDF-");

@@ -303,7 +303,7 @@ TEST(ErrorMeasure, LabelsNameBothMaterialsAndTheUnit) {
   EXPECT_EQ(errorMeasureLabel(parseErrorMeasure("absolute")), "mean of |f_A - f_B| (1/sr)");
   EXPECT_EQ(errorMeasureLabel(parseErrorMeasure("difference")), "mean of f_A - f_B (1/sr)");
   EXPECT_EQ(errorMeasureLabel(parseErrorMeasure("cuberoot")),
-            "root mean square of cbrt(f_A cos(theta_i)) - cbrt(f_B cos(theta_i)) (sr^-1/3)");
+            "rms of cbrt(f_A cos(theta_i)) - cbrt(f_B cos(theta_i)) (sr^-1/3)");
   EXPECT_EQ(errorTermLabel(parseErrorMeasure("log", "signed")), "ln(1 + f_A cos(theta_i)) - ln(1 + f_B cos(theta_i))");
 }
 
