@@ -9,6 +9,7 @@ struct brdfSampler
   int thetas;  // polar angles of viewers
   int phis;    // azimuths
   int search;  // largest step of a search, at most 128
+  int warps;   // texel of the first viewer's shares in TabulatedSampler::Warps
 };
 
 // What a viewer fixes. Of the four neighbours two have a weight where the surface may be turned.
@@ -19,6 +20,7 @@ struct brdfViewer
   vec2 zero;     // of the azimuth at which phi starts in the charts about the normal
   float sine;    // of the polar angle
   vec4 weights;  // of the neighbours
+  ivec4 nodes;   // numbers of the neighbours
   vec3 shares[4];   // of each: the cosine and its charts
   ivec3 tables[8];  // rows, columns and first texel of the neighbours' two charts
 };
@@ -32,7 +34,8 @@ void brdfNeighbour(brdfSampler s, inout brdfViewer v, int k, int node)
   v.tables[2 * k + 1] = ivec3(texelFetch(brdfSamplers, at + 2).xyz) + shift;
 }
 
-brdfViewer brdfViewerOf(brdfSampler s, vec3 wo, bool turning)
+// Without what their tables hold.
+brdfViewer brdfViewerAlone(brdfSampler s, vec3 wo, bool turning)
 {
   brdfViewer v;
   v.wo = wo;
@@ -45,22 +48,28 @@ brdfViewer brdfViewerOf(brdfSampler s, vec3 wo, bool turning)
   int t = min(int(steps), s.thetas - 2);
   float upper = steps - float(t);
   v.weights = vec4(1.0 - upper, upper, 0.0, 0.0);
+  v.nodes = ivec4(t, t + 1, t, t + 1);
   if (turning)
-  {
-    brdfNeighbour(s, v, 0, t);
-    brdfNeighbour(s, v, 1, t + 1);
     return v;
-  }
   float turn = brdf_atan2(v.azimuth.y, v.azimuth.x) * 0.159154943 * float(s.phis);
   turn += turn < 0.0 ? float(s.phis) : 0.0;
   int p = min(int(turn), s.phis - 1);
   float after = turn - float(p);
   v.weights = vec4((1.0 - after) * v.weights.xy, after * v.weights.xy);
-  int near = p * s.thetas + t, next = (p + 1 < s.phis ? p + 1 : 0) * s.thetas + t;
-  brdfNeighbour(s, v, 0, near);
-  brdfNeighbour(s, v, 1, near + 1);
-  brdfNeighbour(s, v, 2, next);
-  brdfNeighbour(s, v, 3, next + 1);
+  v.nodes += s.thetas * ivec2(p, p + 1 < s.phis ? p + 1 : 0).xxyy;
+  return v;
+}
+
+brdfViewer brdfViewerOf(brdfSampler s, vec3 wo, bool turning)
+{
+  brdfViewer v = brdfViewerAlone(s, wo, turning);
+  brdfNeighbour(s, v, 0, v.nodes.x);
+  brdfNeighbour(s, v, 1, v.nodes.y);
+  if (!turning)
+  {
+    brdfNeighbour(s, v, 2, v.nodes.z);
+    brdfNeighbour(s, v, 3, v.nodes.w);
+  }
   return v;
 }
 
@@ -85,22 +94,6 @@ int brdfCell(int first, int count, int search, int part, float number)
   if (search >= 4) cell = brdfStep(first, count, part, number, cell, 4);
   if (search >= 2) cell = brdfStep(first, count, part, number, cell, 2);
   return brdfStep(first, count, part, number, cell, 1);
-}
-
-// A point (x, phi) of a table and its density per solid angle of the chart: the point that two numbers draw, or, where
-// `drawn` is false, one that is given. One search serves both.
-vec3 brdfTablePoint(ivec3 table, int search, bool drawn, vec2 number)
-{
-  int part = drawn ? 1 : 0;
-  int row = brdfCell(table.z, table.x, search, part, number.x);
-  vec4 across = texelFetch(brdfSamplers, table.z + row);
-  int start = table.z + table.x + row * table.y;
-  vec4 along = texelFetch(brdfSamplers, start + brdfCell(start, table.y, search, part, number.y));
-  vec2 sizes = vec2(across.z - across.x, along.z - along.x), shares = vec2(across.w - across.y, along.w - along.y);
-  vec2 place = clamp((number - vec2(across.y, along.y)) / shares, 0.0, 1.0);
-  vec2 point = drawn ? vec2(across.x, along.x) + place * sizes : number;
-  float density = shares.x * shares.y / (2.0 * sizes.x * sizes.y);
-  return vec3(point, table.x > 0 && point.x <= across.z ? density : 0.0);
 }
 
 // A point (x, phi) of a table from two numbers.
@@ -250,4 +243,78 @@ float brdfCosineDensity(brdfViewer v, bool turning, vec3 wi)
   float share = v.weights.x * v.shares[0].x + v.weights.y * v.shares[1].x;
   share += turning ? 0.0 : v.weights.z * v.shares[2].x + v.weights.w * v.shares[3].x;
   return share * wi.z * 0.318309886;
+}
+
+// The same viewer for draws by brdf::PolarWarp.
+struct brdfWarpViewer
+{
+  brdfViewer viewer;
+  vec4 ends;    // of the neighbours' intervals in [0, 1)
+  vec4 scales;  // 1 / their lengths
+  vec4 shares;  // of their first charts
+};
+
+brdfWarpViewer brdfWarpViewerOf(brdfSampler s, vec3 wo, bool turning, bool charts)
+{
+  brdfWarpViewer w;
+  w.viewer = brdfViewerAlone(s, wo, turning);
+  vec4 weights = w.viewer.weights;
+  w.ends = vec4(weights.x, weights.x + weights.y, weights.x + weights.y + weights.z, 2.0);
+  w.scales = 1.0 / max(weights, vec4(1e-30));
+  w.shares = vec4(1.0);
+  if (charts)
+  {
+    ivec4 at = s.warps + w.viewer.nodes;
+    w.shares.xy = vec2(texelFetch(brdfSamplers, at.x).x, texelFetch(brdfSamplers, at.y).x);
+    if (!turning)
+      w.shares.zw = vec2(texelFetch(brdfSamplers, at.z).x, texelFetch(brdfSamplers, at.w).x);
+  }
+  return w;
+}
+
+// The neighbour that a number chooses and its share of the first chart; the number is stretched for use again.
+int brdfWarpNeighbour(brdfWarpViewer w, bool turning, inout float u, out float share)
+{
+  int node = w.viewer.nodes.x;
+  float below = 0.0, scale = w.scales.x;
+  share = w.shares.x;
+  if (u >= w.ends.x)
+  {
+    node = w.viewer.nodes.y;
+    below = w.ends.x;
+    scale = w.scales.y;
+    share = w.shares.y;
+  }
+  if (!turning && u >= w.ends.y)
+  {
+    bool last = u >= w.ends.z;
+    node = last ? w.viewer.nodes.w : w.viewer.nodes.z;
+    below = last ? w.ends.z : w.ends.y;
+    scale = last ? w.scales.w : w.scales.z;
+    share = last ? w.shares.w : w.shares.z;
+  }
+  u = clamp((u - below) * scale, 0.0, 0.99999994);
+  return node;
+}
+
+// A point (x, phi) of chart `number` of a warp, counted over all viewers, and the chart's solid angle over the density
+// of the draw, 2 dx dphi / share.
+vec3 brdfWarped(brdfSampler s, int number, vec2 u)
+{
+  float down = (1.0 - sqrt(1.0 - u.x)) * BRDF_WARP_ROWS, right = u.y * BRDF_WARP_COLUMNS;
+  int row = min(int(down), int(BRDF_WARP_ROWS) - 1), column = int(right);
+  int rows = int(BRDF_WARP_ROWS) * number + row;
+  vec4 cell = texelFetch(brdfSamplers, s.warps + s.thetas * s.phis + rows * int(BRDF_WARP_COLUMNS) + column);
+  float left = 2.0 * (BRDF_WARP_ROWS - float(row)), inverse = 1.0 / (left - 1.0), part = down - float(row);
+  vec2 place = vec2(min(part * (left - part) * inverse, 1.0), right - float(column));
+  return vec3(cell.xz + place * cell.yw,
+    2.0 * BRDF_WARP_ROWS * BRDF_WARP_ROWS * BRDF_WARP_COLUMNS * inverse * cell.y * cell.w);
+}
+
+// Of what two charts draw, the part that is the half vector's: by the squared sines of theta_h and theta_d.
+float brdfHalfPart(vec3 wi, vec3 wo)
+{
+  vec3 h = wi + wo, d = wi - wo;
+  float half1 = dot(h.xy, h.xy) / dot(h, h), difference = 0.25 * dot(d, d);
+  return half1 + difference > 0.0 ? difference / (half1 + difference) : 0.5;
 }

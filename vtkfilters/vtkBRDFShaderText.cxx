@@ -4,6 +4,7 @@
 
 #include <brdf/base/Error.h>
 #include <brdf/material/GridShader.h>
+#include <brdf/sampling/PolarWarp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,12 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::DrawnTable& table, const brdf::
   this->TableText = std::move(shader.glsl);
   this->StructureText = this->TableText;
   this->BufferValues.push_back({ "brdfTable_cells", std::move(shader.texels) });
-  this->Terms.push_back({ nullptr, 0, 1.0, this->AddSampler(sampler, true) });
+  double base = 0;
+  for (const double value : table.base)
+  {
+    base += value / static_cast<double>(table.base.size());
+  }
+  this->Terms.push_back({ nullptr, 0, 1.0, this->AddSampler(sampler, true, base) });
   this->ScaleValues = { 1.0f, 1.0f, 1.0f };
   for (std::size_t channel = 0; channel < 3; ++channel)
   {
@@ -85,7 +91,7 @@ vtkBRDFShaderText::vtkBRDFShaderText(const brdf::DrawnTable& table, const brdf::
 
 // Takes the importance tables of a term; their number. Where they are not final, the structure leaves room for larger
 // ones.
-int vtkBRDFShaderText::AddSampler(const brdf::TabulatedSampler& sampler, bool final)
+int vtkBRDFShaderText::AddSampler(const brdf::TabulatedSampler& sampler, bool final, double base)
 {
   const brdf::TabulatedSampler::Texels texels = sampler.texels();
   const auto found = std::find_if(this->BufferValues.begin(),
@@ -93,9 +99,13 @@ int vtkBRDFShaderText::AddSampler(const brdf::TabulatedSampler& sampler, bool fi
                                   [](const Buffer& buffer) { return buffer.Name == "brdfSamplers"; });
   Buffer& buffer =
     found == this->BufferValues.end() ? this->BufferValues.emplace_back(Buffer{ "brdfSamplers", {} }) : *found;
-  this->SamplerShapeValues.insert(this->SamplerShapeValues.end(),
-                                  { static_cast<int>(buffer.Texels.size() / 4), texels.thetas, texels.phis });
+  const int first = static_cast<int>(buffer.Texels.size() / 4);
   buffer.Texels.insert(buffer.Texels.end(), texels.numbers.begin(), texels.numbers.end());
+  this->SamplerShapeValues.insert(this->SamplerShapeValues.end(),
+                                  { first, texels.thetas, texels.phis, static_cast<int>(buffer.Texels.size() / 4) });
+  const brdf::TabulatedSampler::Warps warps = sampler.warps(base);
+  buffer.Texels.insert(buffer.Texels.end(), warps.shares.begin(), warps.shares.end());
+  buffer.Texels.insert(buffer.Texels.end(), warps.texels.begin(), warps.texels.end());
   this->Samplers.push_back({ texels.kind, texels.turning, final ? texels.search : 128 });
   this->StructureText += std::string(brdf::name(texels.kind)) + (texels.turning ? ", turning, " : ", ") +
                          std::to_string(this->Samplers.back().Search) + "\n";
@@ -118,7 +128,7 @@ int vtkBRDFShaderText::AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel,
   const brdf::TabulatedSampler sampler =
     keep ? brdf::TabulatedSampler(shape, known->second, options) : brdf::TabulatedSampler(shape, options);
   this->SamplerKinds[lobe.model] = sampler.report().kind;
-  return this->AddSampler(sampler, false);
+  return this->AddSampler(sampler, false, 0);
 }
 
 std::vector<int> vtkBRDFShaderText::Samples(int samples) const
@@ -192,36 +202,23 @@ std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
                                                       : "brdfFrom" + first + "(v, point)";
   const std::string retro =
     kind == Kind::HalfAndRetro ? "    density += brdfChartDensity(S, v, TURNING, 1, brdfToRetro(v, wi));\n" : "";
-  // Of one neighbour alone, chosen by its weight: draw and density by one search a chart.
-  std::string passes;
-  if (kind == Kind::HalfAndRetro)
+  // By warps: the solid angle that a draw stands for.
+  const bool two = kind == Kind::HalfAndRetro;
+  std::string passes = "  vec3 wi = brdfFrom" + first + "(w.viewer, at.xy);\n";
+  if (two)
   {
-    passes = "  bool retro = part == 2;\n"
-             "  vec3 given = brdfToHalf(v, wi);\n"
-             "  vec3 at = brdfTablePoint(brdfTableOf(v, TURNING, k, retro ? 1 : 0), S.search, part != 0, part != 0 ? u "
-             ": given.xy);\n"
-             "  wi = part == 0 ? wi : retro ? brdfFromRetro(v, at.xy) : brdfFromHalf(v, at.xy);\n"
-             "  vec3 half1 = brdfToHalf(v, wi), retro1 = brdfToRetro(v, wi);\n"
-             "  vec3 other = brdfTablePoint(brdfTableOf(v, TURNING, k, retro ? 0 : 1), S.search, false, retro ? "
-             "half1.xy : retro1.xy);\n"
-             "  density = shares.x * wi.z * 0.318309886 + (retro ? shares.z * at.z + shares.y * other.z / half1.z\n"
-             "    : shares.y * at.z / half1.z + shares.z * other.z);\n";
+    passes =
+      "  vec3 wi = retro ? brdfFromRetro(w.viewer, at.xy) : brdfFromHalf(w.viewer, at.xy);\n"
+      "  float part = brdfHalfPart(wi, w.viewer.wo);\n"
+      "  solid = at.z * (retro ? (1.0 - part) / (1.0 - share) : 2.0 * length(wi + w.viewer.wo) * part / share);\n";
   }
   else
   {
-    passes =
-      "  vec3 given = brdfTo" + first +
-      "(v, wi);\n"
-      "  vec3 at = brdfTablePoint(brdfTableOf(v, TURNING, k, 0), S.search, part != 0, part != 0 ? u : given.xy);\n"
-      "  wi = part == 0 ? wi : brdfFrom" +
-      first +
-      "(v, at.xy);\n"
-      "  density = shares.x * wi.z * 0.318309886 + shares.y * at.z" +
-      (kind == Kind::Half ? " / (2.0 * length(wi + v.wo))" : "") + ";\n";
+    passes += kind == Kind::Half ? "  solid = 2.0 * at.z * length(wi + w.viewer.wo);\n" : "  solid = at.z;\n";
   }
   std::string text =
     "brdfSampler S = brdfSampler(brdfSamplerShapes[A], brdfSamplerShapes[B], brdfSamplerShapes[C], "
-    "D);\n"
+    "D, E);\n"
     "vec3 NAME_draw(brdfViewer v, vec2 u)\n"
     "{\n"
     "  ivec3 table;\n"
@@ -232,14 +229,17 @@ std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
     ";\n"
     "  return wi.z > 0.0 && v.wo.z > 0.0 ? wi : vec3(0.0);\n"
     "}\n"
-    "vec3 NAME_choice(brdfViewer v, vec2 u, out float density)\n"
+    "brdfWarpViewer NAME_warps(vec3 wo)\n{\n  return brdfWarpViewerOf(S, wo, TURNING, CHARTS);\n}\n"
+    "vec3 NAME_warped(brdfWarpViewer w, vec2 u, out float solid)\n"
     "{\n"
-    "  int k = brdfPick(v.weights, u.x);\n"
-    "  vec3 shares = brdfSharesOf(v, TURNING, k);\n"
-    "  int part = brdfPick(vec4(shares, 0.0), u.x);\n"
-    "  vec3 wi = brdfCosineDraw(u);\n" +
-    passes +
-    "  return wi.z > 0.0 && v.wo.z > 0.0 && density > 0.0 ? wi : vec3(0.0);\n"
+    "  float share;\n"
+    "  int number = brdfWarpNeighbour(w, TURNING, u.x, share);\n" +
+    std::string(two ? "  bool retro = u.x >= share;\n"
+                      "  u.x = clamp(retro ? (u.x - share) / (1.0 - share) : u.x / share, 0.0, 0.99999994);\n"
+                      "  number = 2 * number + (retro ? 1 : 0);\n"
+                    : "") +
+    "  vec3 at = brdfWarped(S, number, u);\n" + passes +
+    "  return wi.z > 0.0 && w.viewer.wo.z > 0.0 ? wi : vec3(0.0);\n"
     "}\n"
     "float NAME_density(brdfViewer v, vec3 wi)\n"
     "{\n"
@@ -253,9 +253,12 @@ std::string vtkBRDFShaderText::SamplerText(std::size_t index) const
   const std::pair<const char*, std::string> names[] = { { "NAME", "brdfTerm" + std::to_string(index) },
                                                         { "TURNING", turning ? "true" : "false" },
                                                         { "\\bS\\b", "brdfSampler" + std::to_string(number) },
-                                                        { "\\bA\\b", std::to_string(3 * number) },
-                                                        { "\\bB\\b", std::to_string(3 * number + 1) },
-                                                        { "\\bC\\b", std::to_string(3 * number + 2) },
+                                                        { "CHARTS", two ? "true" : "false" },
+                                                        { "\\bA\\b", std::to_string(4 * number) },
+                                                        { "\\bB\\b", std::to_string(4 * number + 1) },
+                                                        { "\\bC\\b", std::to_string(4 * number + 2) },
+                                                        { "\\bE\\b",
+                                                          "brdfSamplerShapes[" + std::to_string(4 * number + 3) + "]" },
                                                         { "\\bD\\b", std::to_string(search) } };
   for (const auto& [from, to] : names)
   {
@@ -280,20 +283,19 @@ std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
                      "  float share = 1.0 / float(max(samples, 1));\n";
   if (tables)
   {
-    text += "  brdfViewer viewer = brdfViewerOf(brdfSampler" + std::to_string(term.Sampler) + ", wo, " +
-            (this->Samplers[static_cast<std::size_t>(term.Sampler)].Turning ? "true" : "false") + ");\n";
+    text += "  brdfWarpViewer viewer = " + name + "_warps(wo);\n";
   }
   text += "  for (int i = 0; i < samples; i += " + std::to_string(together) + ")\n  {\n";
   const std::string lines[] = {
-    tables ? "float density#;\n    vec3 wi# = " + name + "_choice(viewer, brdfPoint(i + #, share, shift), density#);\n"
+    tables ? "float solid#;\n    vec3 wi# = " + name + "_warped(viewer, brdfPoint(i + #, share, shift), solid#);\n"
            : "vec3 wi# = " + name + "_sample(wo, brdfPoint(i + #, share, shift));\n",
     tables ? "" : "float density# = " + name + "_pdf(wi#, wo);\n",
-    "float inverse# = share / density#;\n",
+    tables ? "float inverse# = share * solid#;\n" : "float inverse# = share / density#;\n",
     type + " weight# = " +
       (term.Model ? name + "_shape(wi#, wo)"
                   : std::string("(brdfTable_drawn(wi#, wo, brdfFour(i + #, shift)) - brdfTableBase)")) +
       " * (wi#.z * inverse#);\n",
-    "bool counts# = i + # < samples && wi#.z > 0.0 && density# > 0.0;\n",
+    std::string("bool counts# = i + # < samples && wi#.z > 0.0") + (tables ? "" : " && density# > 0.0") + ";\n",
     "vec3 light# = brdfRadiance(frame * wi#, inverse#);\n",
     "sum += counts# ? light# * weight# : vec3(0.0);\n"
   };
@@ -304,9 +306,10 @@ std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
       text += "    " + std::regex_replace(line, std::regex("#"), std::to_string(k));
     }
   }
-  // Light on the constant that the samples leave out.
-  return text + "  }\n  return sum" + (term.Model ? "" : " + 3.14159265 * brdfTableBase * brdfDiffuse(frame[2])") +
-         ";\n}\n";
+  // Light on the constant that the samples leave out; where the table is below it a bright lamp drawn too often would
+  // leave less than nothing.
+  return text + "  }\n  return " +
+         (term.Model ? "sum" : "max(sum + 3.14159265 * brdfTableBase * brdfDiffuse(frame[2]), 0.0)") + ";\n}\n";
 }
 
 std::string vtkBRDFShaderText::ValueText() const
@@ -382,7 +385,10 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment envi
   pieces.push_back({ "uniforms of the material", this->UniformText() });
   if (!this->Samplers.empty())
   {
-    pieces.push_back({ "brdf_sampler.glsl", std::string(File("brdf_sampler.glsl")) });
+    pieces.push_back({ "brdf_sampler.glsl",
+                       "const float BRDF_WARP_ROWS = " + std::to_string(brdf::PolarWarp::kRows) +
+                         ".0, BRDF_WARP_COLUMNS = " + std::to_string(brdf::PolarWarp::kColumns) + ".0;\n#line 1\n" +
+                         std::string(File("brdf_sampler.glsl")) });
   }
   if (!this->TableText.empty())
   {

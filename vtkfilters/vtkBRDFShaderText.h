@@ -65,7 +65,7 @@ public:
     std::vector<float> Texels;
   };
   const std::vector<Buffer>& Buffers() const { return this->BufferValues; }
-  // Uniform brdfSamplerShapes: 3 integers for each set of importance tables.
+  // Uniform brdfSamplerShapes: 4 integers for each set of importance tables.
   const std::vector<int>& SamplerShapes() const { return this->SamplerShapeValues; }
 
   // Uniform brdfTableBase: brdf::DrawnTable::base in three channels; 0 for lobes.
@@ -96,7 +96,7 @@ private:
     bool Turning;
     int Search; // largest step of a search
   };
-  int AddSampler(const brdf::TabulatedSampler& sampler, bool final);
+  int AddSampler(const brdf::TabulatedSampler& sampler, bool final, double base);
   int AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before);
   std::string UniformText() const;
   std::string SamplerText(std::size_t index) const;

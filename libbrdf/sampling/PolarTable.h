@@ -26,6 +26,9 @@ class PolarTable {
 
   std::size_t rows() const { return rowEnds_.empty() ? 0 : rowEnds_.size() - 1; }
   std::size_t columns() const { return columnEnds_.empty() ? 0 : columnEnds_.size() - 1; }
+  /// Lines between rows in x and between columns in phi, ascending; none where the table is empty.
+  const std::vector<double>& rowEnds() const { return rowEnds_; }
+  const std::vector<double>& columnEnds() const { return columnEnds_; }
   /// Appends the table as texels of four floats, for shaders/brdf_sampler.glsl: for each row its two ends in x and the
   /// cumulated share of the rows at them, (x, share, next x, next share); then, row by row, each cell likewise, (phi,
   /// share of the row, next phi, next share). Neighbours share their ends exactly, so that draw and density of the

@@ -2,6 +2,7 @@
 #include <brdf/base/Parallel.h>
 #include <brdf/base/Text.h>
 #include <brdf/sampling/PolarTable.h>
+#include <brdf/sampling/PolarWarp.h>
 #include <brdf/sampling/SamplerEfficiency.h>
 #include <brdf/sampling/SamplingChart.h>
 #include <brdf/sampling/Sequence.h>
@@ -59,6 +60,7 @@ class TabulatedSampler::Tables {
         turning_(brdf.symmetry() != Symmetry::Anisotropic),
         thetas_(resolution.thetas),
         phis_(turning_ ? 1 : resolution.phis),
+        cosineShare_(options.cosineShare),
         nodes_(thetas_ * phis_) {
     const std::size_t most =
         std::max<std::size_t>(16, options.maximumBytes / (nodes_.size() * chartsOf(kind).size() * sizeof(double)));
@@ -133,6 +135,40 @@ class TabulatedSampler::Tables {
     return result;
   }
 
+  Warps warps(double base) const {
+    const std::span<const Chart> charts = chartsOf(kind_);
+    constexpr std::size_t numbers = 4 * PolarWarp::kRows * PolarWarp::kColumns;
+    Warps result;
+    result.shares.resize(4 * nodes_.size());
+    result.texels.resize(nodes_.size() * charts.size() * numbers);
+    parallelFor(nodes_.size(), 1, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        const Node& node = nodes_[k];
+        const ChartViewer viewer = viewerOf(k);
+        const double above = kPi * std::max(0.0, node.floor - base);
+        const double tables = node.tables[0].mass() + node.tables[1].mass();
+        const double cosine = tables > 0 ? std::max(cosineShare_, above / (above + tables)) : 1;
+        double masses[2] = {0, 0};
+        for (std::size_t c = 0; c < charts.size(); ++c) {
+          const double share = tables > 0 ? (1 - cosine) * node.tables[c].mass() / tables : 0;
+          const PolarWarp warp(node.tables[c], share, maximumX(charts[c]), [&](double x, double phi) {
+            Direction wi;
+            const double jacobian = fromChart(charts[c], viewer, x, phi, wi);
+            if (!(jacobian > 0)) return 0.0;
+            return cosine * wi[2] / kPi * jacobian * (charts.size() > 1 ? partOf(charts[c], wi, viewer.wo) : 1);
+          });
+          masses[c] = warp.mass;
+          std::copy(warp.texels.begin(), warp.texels.end(),
+                    result.texels.begin() + static_cast<std::ptrdiff_t>((k * charts.size() + c) * numbers));
+        }
+        // Either chart is drawn from: both have directions of their own.
+        const double part = masses[0] / (masses[0] + masses[1]);
+        result.shares[4 * k] = static_cast<float>(charts.size() > 1 ? std::clamp(part, 0.02, 0.98) : 1.0);
+      }
+    });
+    return result;
+  }
+
   void describe(Report& report) const {
     report.kind = kind_;
     report.viewers = nodes_.size();
@@ -148,6 +184,7 @@ class TabulatedSampler::Tables {
   struct Node {
     std::array<double, 3> shares{1, 0, 0};  ///< of the cosine and of each table; they sum to 1
     std::array<PolarTable, 2> tables;
+    double floor = 0;  ///< drawn by the cosine
   };
   struct Neighbours {
     std::array<std::size_t, 4> node;
@@ -189,6 +226,7 @@ class TabulatedSampler::Tables {
     const std::span<const Chart> charts = chartsOf(kind_);
     const double base = floorOf(brdf, viewer.wo);
     Node node;
+    node.floor = base;
     std::array<double, 3> mass{kPi * base, 0, 0};
     DirectionPairBuffer<double> pairs;
     std::vector<double> values, jacobians;
@@ -235,6 +273,7 @@ class TabulatedSampler::Tables {
   Kind kind_;
   bool turning_;
   std::size_t thetas_, phis_;
+  double cosineShare_;
   std::vector<Node> nodes_;
 };
 
@@ -318,6 +357,8 @@ void TabulatedSampler::sample(const std::array<const double*, 3>& wo, const std:
 void TabulatedSampler::pdf(const DirectionPairs<double>& pairs, double* density) const { tables_->pdf(pairs, density); }
 
 TabulatedSampler::Texels TabulatedSampler::texels() const { return tables_->texels(); }
+
+TabulatedSampler::Warps TabulatedSampler::warps(double base) const { return tables_->warps(base); }
 
 const char* name(TabulatedSampler::Kind kind) {
   switch (kind) {

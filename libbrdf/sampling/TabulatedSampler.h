@@ -79,6 +79,18 @@ class BRDF_EXPORT TabulatedSampler {
   };
   Texels texels() const;
 
+  /// Another mixture of draws, without searches, for shaders whose every sample has to be cheap: in proportion to
+  /// (f - base) cos, as PolarWarp has it, `base` being a constant that needs no draws (1/sr). Charts overlap; where
+  /// there are two, each draws its part of f, a smooth function of the directions, so that a draw needs no density but
+  /// its own.
+  struct Warps {
+    /// For each viewer, in the order of Texels, a texel (share of the first chart in the draws, 0, 0, 0).
+    std::vector<float> shares;
+    /// For each viewer, and for each of its charts, PolarWarp::texels.
+    std::vector<float> texels;
+  };
+  Warps warps(double base = 0) const;
+
  private:
   class Tables;
   void choose(const Brdf& brdf, std::span<const Kind> kinds, const SamplerOptions& options);

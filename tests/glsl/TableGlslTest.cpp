@@ -196,10 +196,10 @@ SamplerShader shaderOf(const BrdfPointer& grid, const TabulatedSampler& sampler)
   const std::vector<int>& shapes = text.SamplerShapes();
   std::string list;
   for (const int number : shapes) list += (list.empty() ? "" : ", ") + std::to_string(number);
-  const std::string declaration = "uniform int brdfSamplerShapes[3];";
+  const std::string declaration = "uniform int brdfSamplerShapes[4];";
   const std::size_t at = shader.glsl.find(declaration);
   if (at == std::string::npos) return shader;
-  shader.glsl.replace(at, declaration.size(), "const int brdfSamplerShapes[3] = int[3](" + list + ");");
+  shader.glsl.replace(at, declaration.size(), "const int brdfSamplerShapes[4] = int[4](" + list + ");");
   for (const auto& buffer : text.Buffers()) shader.buffers.push_back({buffer.Name, buffer.Texels});
   return shader;
 }
@@ -287,6 +287,35 @@ TEST_P(SamplerGlsl, DrawsAsTheProcessorsDensitySays) {
     EXPECT_LT(std::fabs(test.deviation), 5) << angle << ": integral " << test.integral << ", failed " << test.failed;
     EXPECT_EQ(test.bad, 0u);
     EXPECT_EQ(test.uncovered, 0u);
+  }
+}
+
+TEST_P(SamplerGlsl, WarpsDrawEveryDirectionWithItsSolidAngle) {
+  // The mean of cos(theta) times the solid angle that a draw stands for is the integral of the cosine over the
+  // hemisphere, whatever the density: it fails where directions are left out or charts overlap unweighted.
+  const std::string text = shader_.glsl +
+                           "float weight(vec3 wo, vec2 u)\n{\n  float solid;\n"
+                           "  vec3 wi = brdfTerm0_warped(brdfTerm0_warps(wo), u, solid);\n"
+                           "  return wi.z > 0.0 ? solid * wi.z : 0.0;\n}\n";
+  constexpr std::size_t draws = 1 << 18;
+  std::mt19937 random(8);
+  std::uniform_real_distribution<float> uniform(0, 1);
+  for (const double angle : {0.0, 25.0, 60.0, 85.0}) {
+    const Direction wo = fromSpherical(radians(angle), 0.7);
+    std::vector<vtkBRDFShaderProbe::Column> columns;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      columns.push_back({std::string("o") + "xyz"[axis], std::vector<float>(draws, static_cast<float>(wo[axis]))});
+    for (const char* name : {"u", "v"}) {
+      columns.push_back({name, {}});
+      for (std::size_t i = 0; i < draws; ++i)
+        columns.back().Values.push_back(std::min(uniform(random), 0x1.fffffep-1f));
+    }
+    const auto got = probe().Evaluate(text, columns, {"weight(vec3(ox, oy, oz), vec2(u, v))"}, shader_.buffers)[0];
+    double sum = 0, squares = 0;
+    for (const float value : got) sum += double(value), squares += double(value) * double(value);
+    const double mean = sum / draws, deviation = std::sqrt((squares / draws - mean * mean) / draws);
+    EXPECT_NEAR(mean, kPi, 5 * deviation) << angle;
+    EXPECT_LT(deviation, 0.03 * kPi) << angle;
   }
 }
 
