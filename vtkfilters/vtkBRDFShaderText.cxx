@@ -273,7 +273,7 @@ std::string vtkBRDFShaderText::ReflectedText(std::size_t index) const
 {
   const Term& term = this->Terms[index];
   const bool tables = term.Sampler >= 0;
-  const int together = tables ? 2 : 3;
+  const int together = tables ? 4 : 3;
   const std::string name = "brdfTerm" + std::to_string(index);
   const std::string type = term.Model ? "float" : "vec3";
   std::string text = "vec3 " + name +
