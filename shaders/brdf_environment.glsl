@@ -10,6 +10,14 @@ uniform mat3 brdfViewToEnvironment;     // rotation from view coordinates to tho
 uniform int brdfSeed;                   // of the samples' noise
 uniform float brdfFilter;               // factor on each sample's solid angle: 4^(level bias)
 
+// The uniforms of every sample, read once a fragment: software devices fetch and convert one anew at each use.
+float brdfSide = brdfRadianceMap.size;
+int brdfSideBits = floatBitsToInt(brdfRadianceMap.size);
+int brdfLastLevel = int(brdfRadianceMap.last);
+float brdfUnitOfWords = brdfFootprintUnit;
+// Texels of the finest level in a steradian at |x| + |y| + |z| = 1, twice, and one of 4^(level bias).
+float brdfTexels = 0.5 * brdfFilter * brdfRadianceMap.size * brdfRadianceMap.size;
+
 // Four words of brdf::OctahedralMap::Footprints mixed by their weights, without the map's unit.
 vec3 brdfUnpack(uvec4 words, vec4 weights)
 {
@@ -19,19 +27,16 @@ vec3 brdfUnpack(uvec4 words, vec4 weights)
 }
 
 // Bilinear look-up in one level by a single fetch.
-vec3 brdfFootprint(brdfMap map, vec2 position, int level)
+vec3 brdfFootprint(vec2 position, int level)
 {
-  float n = intBitsToFloat(floatBitsToInt(map.size) - (level << 23));
-  vec2 corner = level > 0 ? vec2(map.size + 2.0, map.size - 2.0 * n + 2.0 * float(level - 1)) : vec2(0.0);
+  float n = intBitsToFloat(brdfSideBits - (level << 23));
+  vec2 corner = level > 0 ? vec2(brdfSide + 2.0, brdfSide - 2.0 * n + 2.0 * float(level - 1)) : vec2(0.0);
   vec2 place = corner + position * n + 0.5;
   ivec2 texel = ivec2(place);
   vec2 after = place - vec2(texel), before = 1.0 - after;
-  return brdfFootprintUnit * brdfUnpack(texelFetch(brdfFootprints, texel, 0),
+  return brdfUnitOfWords * brdfUnpack(texelFetch(brdfFootprints, texel, 0),
     vec4(before.x * before.y, after.x * before.y, before.x * after.y, after.x * after.y));
 }
-
-// Texels of the finest level in a steradian at |x| + |y| + |z| = 1, twice, and one of 4^(level bias).
-float brdfTexels = 0.5 * brdfFilter * brdfRadianceMap.size * brdfRadianceMap.size;
 
 // Mean radiance over `solidAngle` about a unit direction.
 vec3 brdfRadiance(vec3 direction, float solidAngle)
@@ -41,8 +46,8 @@ vec3 brdfRadiance(vec3 direction, float solidAngle)
   // A texel has 4 / (inverse^3 size^2). Level k = round(log4(texels)), by the exponent of 2 texels: two levels a factor
   // of 4.
   float texels = brdfTexels * (inverse * inverse) * (inverse * solidAngle);
-  int level = min(((floatBitsToInt(max(texels, 2.0)) >> 23) - 127) >> 1, int(brdfRadianceMap.last));
-  vec3 radiance = brdfFootprint(brdfRadianceMap, brdfProject(direction, inverse), level);
+  int level = min(((floatBitsToInt(max(texels, 2.0)) >> 23) - 127) >> 1, brdfLastLevel);
+  vec3 radiance = brdfFootprint(brdfProject(direction, inverse), level);
 #if defined(BRDF_SHADOWS) && BRDF_SHADOWS > 1
   radiance *= brdfSeen(direction);
 #endif

@@ -206,7 +206,9 @@ TEST_F(SceneRenderTest, WindowsComeAndGoAndChangeTheirSize) {
       const float value = *static_cast<const float*>(render->GetOutput()->GetScalarPointer(middle, middle, 0));
       ASSERT_GT(value, 0);
       if (side == 24u) {
-        if (first > 0) EXPECT_EQ(value, first);
+        if (first > 0) {
+          EXPECT_EQ(value, first);
+        }
         first = value;
       }
     }

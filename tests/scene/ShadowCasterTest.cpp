@@ -87,7 +87,9 @@ TEST(ShadowCaster, ABallHidesItsSolidAngleOfTheSky) {
           OctahedralMap::direction((double(cell % cells) + 0.5) / cells, (double(cell / cells) + 0.5) / cells);
       if (d[1] > 0.2 && !seen(mask, middle, cell))
         hidden += OctahedralMap::solidAngle(cells, cell % cells, cell / cells);
-      if (d[1] < -0.2) EXPECT_FALSE(seen(mask, middle, cell)) << "below the floor";
+      if (d[1] < -0.2) {
+        EXPECT_FALSE(seen(mask, middle, cell)) << "below the floor";
+      }
     }
   }
   // A cone of half angle asin(radius / distance), far above the horizon.
