@@ -12,18 +12,18 @@ uniform float brdfFilter;               // factor on each sample's solid angle: 
 
 // The uniforms of every sample, read once a fragment: software devices fetch and convert one anew at each use.
 float brdfSide = brdfRadianceMap.size;
-int brdfSideBits = floatBitsToInt(brdfRadianceMap.size);
+int brdfSideBits = floatBitsToInt(brdfSide);
 int brdfLastLevel = int(brdfRadianceMap.last);
-float brdfUnitOfWords = brdfFootprintUnit;
+vec3 brdfUnitOfWords = brdfFootprintUnit * vec3(1.0, 1.0 / 512.0, 1.0 / 262144.0);  // by each channel's lowest bit
 // Texels of the finest level in a steradian at |x| + |y| + |z| = 1, twice, and one of 4^(level bias).
-float brdfTexels = 0.5 * brdfFilter * brdfRadianceMap.size * brdfRadianceMap.size;
+float brdfTexels = 0.5 * brdfFilter * brdfSide * brdfSide;
 
-// Four words of brdf::OctahedralMap::Footprints mixed by their weights, without the map's unit.
+// Four words of brdf::OctahedralMap::Footprints mixed by their weights, in brdfUnitOfWords.
 vec3 brdfUnpack(uvec4 words, vec4 weights)
 {
   vec4 scales = weights * intBitsToFloat(ivec4((words >> 27u) + 96u) << 23);
-  return vec3(dot(scales, vec4(ivec4(words & 511u))), dot(scales, vec4(ivec4((words >> 9u) & 511u))),
-              dot(scales, vec4(ivec4((words >> 18u) & 511u))));
+  return vec3(dot(scales, vec4(ivec4(words & 0x1ffu))), dot(scales, vec4(ivec4(words & 0x3fe00u))),
+              dot(scales, vec4(ivec4(words & 0x7fc0000u))));
 }
 
 // Bilinear look-up in one level by a single fetch.
