@@ -2,10 +2,14 @@
 
 #include <brdf/view/ChannelChoice.h>
 
-brdf::ChannelChoice vtkBRDFChannelAlgorithm::ChosenChannels(vtkInformationVector** inputs)
+brdf::ColourSettings vtkBRDFChannelAlgorithm::ChosenColours() const
 {
-  brdf::ChannelChoice choice = brdf::chooseChannels(
-    GetInputBrdf(inputs), this->Channel, brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation }));
+  return brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
+}
+
+brdf::ChannelChoice vtkBRDFChannelAlgorithm::ChosenChannels(vtkInformationVector** inputs, int port)
+{
+  brdf::ChannelChoice choice = brdf::chooseChannels(GetInputBrdf(inputs, port), this->Channel, this->ChosenColours());
   this->ChannelLabel = choice.label;
   return choice;
 }

@@ -8,6 +8,7 @@
 namespace brdf
 {
 struct ChannelChoice;
+struct ColourSettings;
 }
 
 /**
@@ -49,8 +50,10 @@ protected:
   vtkBRDFChannelAlgorithm() = default;
   ~vtkBRDFChannelAlgorithm() override = default;
 
-  /** The BRDF of the first input through the channels asked for. Throws brdf::Error. */
-  brdf::ChannelChoice ChosenChannels(vtkInformationVector** inputs);
+  /** The BRDF of an input through the channels asked for, which give the label. Throws brdf::Error. */
+  brdf::ChannelChoice ChosenChannels(vtkInformationVector** inputs, int port = 0);
+  /** Illuminant, observer and adaptation. Throws brdf::Error. */
+  brdf::ColourSettings ChosenColours() const;
 
   std::string Channel = "luminance";
 

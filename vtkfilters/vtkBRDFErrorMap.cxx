@@ -112,9 +112,8 @@ int vtkBRDFErrorMap::RequestInformation(vtkInformation*, vtkInformationVector**,
 
 int vtkBRDFErrorMap::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ColourSettings colour = brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
-  const brdf::ChannelChoice a = brdf::chooseChannels(GetInputBrdf(inputs, 0), this->Channel, colour);
-  const brdf::ChannelChoice b = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel, colour);
+  const brdf::ChannelChoice a = this->ChosenChannels(inputs, 0);
+  const brdf::ChannelChoice b = this->ChosenChannels(inputs, 1);
   brdf::ErrorMapOptions options;
   options.measure = brdf::parseErrorMeasure(this->Measure, this->Average);
   options.grid.axes = brdf::parseErrorAxes(this->Axes);
@@ -237,10 +236,6 @@ void vtkBRDFErrorMap::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "PhiI: " << this->PhiI << " degrees\n"
      << indent << "Projection: " << this->Projection << "\n"
      << indent << "SampleAngle: " << this->SampleAngle << " degrees\n"
-     << indent << "Illuminant: " << this->Illuminant << "\n"
-     << indent << "Observer: " << this->Observer << "\n"
-     << indent << "Adaptation: " << this->Adaptation << "\n"
-     << indent << "Channel: " << this->Channel << "\n"
      << indent << "Intervals: " << this->Intervals << "\n"
      << indent << "Azimuths: " << this->Azimuths << "\n"
      << indent << "Directions: " << this->Directions << "\n"

@@ -1,6 +1,6 @@
 #ifndef vtkBRDFErrorMap_h
 #define vtkBRDFErrorMap_h
-#include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFChannelAlgorithm.h"
 #include "vtkBRDFFiltersModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
@@ -32,11 +32,11 @@ struct ErrorMap;
  * Output port 2 is a table of the worst pairs, the worst first, an eighteenth of the map apart (5 of 90 degrees): "error", "theta_i",
  * "phi_i", "theta_o", "phi_o" (degrees), "a_0".. and "b_0".. (1/sr, one a channel), "x" and "y" (on the map).
  */
-class VTKBRDFFILTERS_EXPORT vtkBRDFErrorMap : public vtkBRDFAlgorithm
+class VTKBRDFFILTERS_EXPORT vtkBRDFErrorMap : public vtkBRDFChannelAlgorithm
 {
 public:
   static vtkBRDFErrorMap* New();
-  vtkTypeMacro(vtkBRDFErrorMap, vtkBRDFAlgorithm);
+  vtkTypeMacro(vtkBRDFErrorMap, vtkBRDFChannelAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkImageData* GetOutput();
@@ -76,24 +76,6 @@ public:
   vtkGetMacro(Projection, std::string);
   vtkSetMacro(SampleAngle, double);
   vtkGetMacro(SampleAngle, double);
-  ///@}
-
-  ///@{
-  /** "luminance" (default), "rgb", "all" (their own), a channel number from 0, or a wavelength such as "550nm". */
-  vtkSetMacro(Channel, std::string);
-  vtkGetMacro(Channel, std::string);
-  ///@}
-
-  ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
-  vtkSetMacro(Illuminant, std::string);
-  vtkGetMacro(Illuminant, std::string);
-  vtkSetMacro(Observer, std::string);
-  vtkGetMacro(Observer, std::string);
-  vtkSetMacro(Adaptation, std::string);
-  vtkGetMacro(Adaptation, std::string);
   ///@}
 
   ///@{
@@ -168,10 +150,6 @@ private:
   double PhiI = 0;
   std::string Projection = "equal-area";
   double SampleAngle = 2.5;
-  std::string Channel = "luminance";
-  std::string Illuminant;
-  std::string Observer = "2";
-  std::string Adaptation = "bradford";
   int Intervals = 90;
   int Azimuths = 36;
   std::string Directions = "automatic";

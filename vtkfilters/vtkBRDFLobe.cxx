@@ -139,9 +139,8 @@ int vtkBRDFLobe::FillOutputPortInformation(int, vtkInformation* info)
 
 int vtkBRDFLobe::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ColourSettings settings = brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
   const brdf::BrdfPointer brdf = GetInputBrdf(inputs);
-  const brdf::ChannelChoice choice = brdf::chooseChannels(brdf, this->Channel, settings);
+  const brdf::ChannelChoice choice = this->ChosenChannels(inputs);
   brdf::LobeMeshOptions options;
   options.thetaI = brdf::radians(this->ThetaI);
   options.phiI = brdf::radians(this->PhiI);
@@ -154,7 +153,7 @@ int vtkBRDFLobe::RequestData(vtkInformation*, vtkInformationVector** inputs, vtk
   brdf::BrdfPointer other;
   if (options.shape != brdf::LobeShape::Value)
   {
-    other = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel, settings).brdf;
+    other = this->ChosenChannels(inputs, 1).brdf;
   }
   const brdf::LobeMesh mesh = brdf::makeLobeMesh(*choice.brdf, options, other.get());
   this->MaximumLength = mesh.maximumLength;
@@ -165,7 +164,7 @@ int vtkBRDFLobe::RequestData(vtkInformation*, vtkInformationVector** inputs, vtk
   if (!this->Colour.empty())
   {
     const brdf::ChannelChoice seen =
-      brdf::chooseChannels(brdf, this->Colour == "true" ? "rgb" : this->Colour, settings);
+      brdf::chooseChannels(brdf, this->Colour == "true" ? "rgb" : this->Colour, this->ChosenColours());
     std::vector<std::uint8_t> valid;
     const std::vector<double> values =
       brdf::valuesOverHemisphere(*seen.brdf, brdf::fromSpherical(options.thetaI, options.phiI), mesh.directions, valid);
@@ -206,9 +205,5 @@ void vtkBRDFLobe::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Shape: " << this->Shape << "\n"
      << indent << "Transform: " << this->Transform << "\n"
      << indent << "Floor: " << this->Floor << "/sr\n"
-     << indent << "Colour: " << this->Colour << "\n"
-     << indent << "Illuminant: " << this->Illuminant << "\n"
-     << indent << "Observer: " << this->Observer << "\n"
-     << indent << "Adaptation: " << this->Adaptation << "\n"
-     << indent << "Channel: " << this->Channel << "\n";
+     << indent << "Colour: " << this->Colour << "\n";
 }

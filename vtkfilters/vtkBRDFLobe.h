@@ -1,6 +1,6 @@
 #ifndef vtkBRDFLobe_h
 #define vtkBRDFLobe_h
-#include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFChannelAlgorithm.h"
 #include "vtkBRDFFiltersModule.h" // For export macro
 
 #include <string> // For std::string
@@ -12,7 +12,8 @@ class vtkPolyData;
  * @brief The lobe of a BRDF for one incident direction, as a surface
  *
  * A geodesic hemisphere of view directions, each moved out to the transformed value: the distance from the origin says
- * how much light leaves that way. The mesh is refined where the surface bends and around the mirror and retro-reflected
+ * how much light leaves that way. Where a choice has several channels the length is that of their luminance ("rgb") or
+ * of their mean ("all"). The mesh is refined where the surface bends and around the mirror and retro-reflected
  * directions, so that sharp lobes are not missed. With a second BRDF on input port 1 and another Shape it shows the
  * signed difference of the two.
  *
@@ -21,11 +22,11 @@ class vtkPolyData;
  * value: such points are in no triangle), "Normals"; where Colour asks for it "colour" (f_r of a channel, 1/sr) or
  * "rgb" (sRGB, 8 bits). Field data of the input is passed on.
  */
-class VTKBRDFFILTERS_EXPORT vtkBRDFLobe : public vtkBRDFAlgorithm
+class VTKBRDFFILTERS_EXPORT vtkBRDFLobe : public vtkBRDFChannelAlgorithm
 {
 public:
   static vtkBRDFLobe* New();
-  vtkTypeMacro(vtkBRDFLobe, vtkBRDFAlgorithm);
+  vtkTypeMacro(vtkBRDFLobe, vtkBRDFChannelAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkPolyData* GetOutput();
@@ -81,29 +82,10 @@ public:
   ///@}
 
   ///@{
-  /** "luminance" (default), "rgb" (three values, the length is their luminance), "all" (its own, the length is their
-   * mean), a channel number from 0, or a wavelength such as "550nm". */
-  vtkSetMacro(Channel, std::string);
-  vtkGetMacro(Channel, std::string);
-  ///@}
-
-  ///@{
   /** Colours to go with the surface, apart from its length: empty (default): none; "true": linear sRGB at full
    * brightness; else a channel as above. */
   vtkSetMacro(Colour, std::string);
   vtkGetMacro(Colour, std::string);
-  ///@}
-
-  ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
-  vtkSetMacro(Illuminant, std::string);
-  vtkGetMacro(Illuminant, std::string);
-  vtkSetMacro(Observer, std::string);
-  vtkGetMacro(Observer, std::string);
-  vtkSetMacro(Adaptation, std::string);
-  vtkGetMacro(Adaptation, std::string);
   ///@}
 
   ///@{
@@ -134,11 +116,7 @@ private:
   std::string Shape = "value";
   std::string Transform = "none";
   double Floor = 1e-3;
-  std::string Channel = "luminance";
   std::string Colour;
-  std::string Illuminant;
-  std::string Observer = "2";
-  std::string Adaptation = "bradford";
   double MaximumLength = 0;
   double ReferenceRadius = 0;
   double ChordError = 0;

@@ -71,8 +71,7 @@ int vtkBRDFLobeSamples::FillOutputPortInformation(int, vtkInformation* info)
 
 int vtkBRDFLobeSamples::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const brdf::ColourSettings settings = brdf::colourSettings({ this->Illuminant, this->Observer, this->Adaptation });
-  const brdf::ChannelChoice measured = brdf::chooseChannels(GetInputBrdf(inputs), this->Channel, settings);
+  const brdf::ChannelChoice measured = this->ChosenChannels(inputs);
   brdf::LobeSampleOptions options;
   options.thetaI = brdf::radians(this->ThetaI);
   options.phiI = brdf::radians(this->PhiI);
@@ -83,7 +82,7 @@ int vtkBRDFLobeSamples::RequestData(vtkInformation*, vtkInformationVector** inpu
   brdf::BrdfPointer model;
   if (inputs[1]->GetNumberOfInformationObjects() > 0)
   {
-    model = brdf::chooseChannels(GetInputBrdf(inputs, 1), this->Channel, settings).brdf;
+    model = this->ChosenChannels(inputs, 1).brdf;
   }
   const brdf::LobeSamples samples = brdf::lobeSamples(*measured.brdf, options, model.get());
   this->NumberFound = static_cast<vtkIdType>(samples.found);
@@ -120,9 +119,5 @@ void vtkBRDFLobeSamples::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Within: " << this->Within << " degrees\n"
      << indent << "MaximumPoints: " << this->MaximumPoints << "\n"
      << indent << "Transform: " << this->Transform << "\n"
-     << indent << "Floor: " << this->Floor << "/sr\n"
-     << indent << "Channel: " << this->Channel << "\n"
-     << indent << "Illuminant: " << this->Illuminant << "\n"
-     << indent << "Observer: " << this->Observer << "\n"
-     << indent << "Adaptation: " << this->Adaptation << "\n";
+     << indent << "Floor: " << this->Floor << "/sr\n";
 }

@@ -1,6 +1,6 @@
 #ifndef vtkBRDFLobeSamples_h
 #define vtkBRDFLobeSamples_h
-#include "vtkBRDFAlgorithm.h"
+#include "vtkBRDFChannelAlgorithm.h"
 #include "vtkBRDFFiltersModule.h" // For export macro
 
 #include <string> // For std::string
@@ -19,11 +19,11 @@ class vtkPolyData;
  * Point data: "value" (f_r of the channel, 1/sr), "transformed" (the length), and with a model "residual", the
  * transformed value of the model at the sample's own directions less that of the sample (the active scalar).
  */
-class VTKBRDFFILTERS_EXPORT vtkBRDFLobeSamples : public vtkBRDFAlgorithm
+class VTKBRDFFILTERS_EXPORT vtkBRDFLobeSamples : public vtkBRDFChannelAlgorithm
 {
 public:
   static vtkBRDFLobeSamples* New();
-  vtkTypeMacro(vtkBRDFLobeSamples, vtkBRDFAlgorithm);
+  vtkTypeMacro(vtkBRDFLobeSamples, vtkBRDFChannelAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   vtkPolyData* GetOutput();
@@ -55,14 +55,6 @@ public:
   vtkGetMacro(Transform, std::string);
   vtkSetMacro(Floor, double);
   vtkGetMacro(Floor, double);
-  vtkSetMacro(Channel, std::string);
-  vtkGetMacro(Channel, std::string);
-  vtkSetMacro(Illuminant, std::string);
-  vtkGetMacro(Illuminant, std::string);
-  vtkSetMacro(Observer, std::string);
-  vtkGetMacro(Observer, std::string);
-  vtkSetMacro(Adaptation, std::string);
-  vtkGetMacro(Adaptation, std::string);
   ///@}
 
   ///@{
@@ -91,10 +83,6 @@ private:
   int MaximumPoints = 20000;
   std::string Transform = "none";
   double Floor = 1e-3;
-  std::string Channel = "luminance";
-  std::string Illuminant;
-  std::string Observer = "2";
-  std::string Adaptation = "bradford";
   vtkIdType NumberFound = 0;
   double Nearest = 180;
   double MaximumLength = 0;

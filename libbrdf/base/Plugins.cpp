@@ -46,8 +46,8 @@ void loadAll() {
   for (const auto& folder : pluginFolders()) {
     std::vector<std::filesystem::path> files;
     std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored))
-      if (entry.path().extension() == ".so") files.push_back(std::filesystem::weakly_canonical(entry.path(), ignored));
+    for (std::filesystem::directory_iterator it(folder, ignored), end; !ignored && it != end; it.increment(ignored))
+      if (it->path().extension() == ".so") files.push_back(std::filesystem::absolute(it->path()).lexically_normal());
     std::sort(files.begin(), files.end());
     for (const auto& file : files) {
       if (!seen.insert(file).second) continue;

@@ -132,6 +132,14 @@ class Shorthands(unittest.TestCase):
         with self.assertRaises(ValueError):
             brdflab.names("nonsense")
 
+    def test_lobes_of_the_users_folder_are_there(self):
+        folder = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/examples/lobes")
+        script = "import brdflab; print(brdflab.names('failures'), 'SatinPaint' in brdflab.names('lobes'))"
+        for path, found in ((folder, "[] True"), ("", "[] False")):
+            environment = dict(os.environ, BRDFLAB_MODEL_PATH=path)
+            done = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True)
+            self.assertEqual(done.stdout.strip(), found, done.stderr)
+
     def test_pixels_run_from_the_top(self):
         render = brdflab.vtkBRDFRender()
         white = source("Lambertian")
