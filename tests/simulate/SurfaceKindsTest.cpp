@@ -46,8 +46,7 @@ TEST(SurfaceKinds, DefaultsMakeASurface) {
 }
 
 TEST(SurfaceKinds, ErrorsNameWhatIsWrong) {
-  EXPECT_EQ(errorOf("groves(width=3)").substr(0, 40),
-            "unknown kind of surface; found 'groves'; ");
+  EXPECT_TRUE(errorOf("groves(width=3)").starts_with("unknown kind of surface; found 'groves'; "));
   EXPECT_NE(errorOf("groves").find("did you mean grooves?"), std::string::npos);
   EXPECT_NE(errorOf("grooves(widht=3)").find("did you mean width?"), std::string::npos);
   EXPECT_NE(errorOf("grooves(width=-3)").find("out of bounds"), std::string::npos);
