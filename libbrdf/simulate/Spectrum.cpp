@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/models/CallArguments.h>
+#include <brdf/simulate/MeasuredSpectrum.h>
 #include <brdf/simulate/Spectrum.h>
 
 #include <algorithm>
@@ -223,7 +224,7 @@ SpectrumKind sumKind() {
 }
 
 std::vector<SpectrumKind>& kinds() {
-  static std::vector<SpectrumKind> all{abcKind(), gaussianKind(), fractalKind(), sumKind()};
+  static std::vector<SpectrumKind> all{abcKind(), gaussianKind(), fractalKind(), sumKind(), measuredSpectrumKind()};
   return all;
 }
 

@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
+#include <brdf/simulate/HeightStatistics.h>
 #include <brdf/simulate/SurfaceKinds.h>
 #include <brdf/simulate/surfaces/BuiltInSurfaces.h>
 
@@ -12,6 +13,21 @@ namespace {
 std::vector<SurfaceKind>& kinds() {
   static std::vector<SurfaceKind> all = builtInSurfaceKinds();
   return all;
+}
+
+/// What every height field has to say of itself.
+void describe(const HeightField& field, std::vector<SurfaceFact>& facts) {
+  const HeightStatistics statistics = statisticsOf(field);
+  facts.insert(facts.end(), {{"period along x", field.periodX(), "um"},
+                             {"period along y", field.periodY(), "um"},
+                             {"nodes along x", static_cast<double>(field.columns), "1"},
+                             {"nodes along y", static_cast<double>(field.rows), "1"},
+                             {"lowest point", statistics.lowest, "um"},
+                             {"highest point", statistics.highest, "um"},
+                             {"mean height", statistics.mean, "um"},
+                             {"rms height", statistics.rms, "um"},
+                             {"rms slope along x", statistics.rmsSlopeX, "1"},
+                             {"rms slope along y", statistics.rmsSlopeY, "1"}});
 }
 
 }  // namespace
@@ -52,7 +68,10 @@ MadeSurface makeSurface(std::string_view expression, const SurfaceReaders& reade
   const SurfaceArguments arguments(call, kind.parameters, kind.texts);
   MadeSurface made = kind.make(arguments, readers);
   made.surface.description = arguments.expression();
-  if (const auto* field = std::get_if<HeightField>(&made.surface.shape)) field->check(arguments.where());
+  if (const auto* field = std::get_if<HeightField>(&made.surface.shape)) {
+    field->check(arguments.where());
+    describe(*field, made.facts);
+  }
   return made;
 }
 

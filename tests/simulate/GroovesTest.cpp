@@ -1,5 +1,6 @@
+#include "SurfaceSupport.h"
+
 #include <brdf/geometry/Directions.h>
-#include <brdf/simulate/SurfaceKinds.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,27 +10,9 @@
 namespace brdf {
 namespace {
 
-HeightField made(const std::string& expression) { return std::get<HeightField>(makeSurface(expression).surface.shape); }
+HeightField made(const std::string& expression) { return heightField(expression); }
 
-double fact(const std::string& expression, const std::string& name) {
-  for (const SurfaceFact& fact : makeSurface(expression).facts)
-    if (fact.name == name) return fact.value;
-  ADD_FAILURE() << name;
-  return NAN;
-}
-
-/// The surface of two triangles a cell, repeated (HeightField.h).
-double heightAt(const HeightField& field, double x, double y) {
-  const double u = x / field.spacingX - std::floor(x / field.periodX()) * static_cast<double>(field.columns);
-  const double v = y / field.spacingY - std::floor(y / field.periodY()) * static_cast<double>(field.rows);
-  const auto i = static_cast<std::size_t>(u) % field.columns, j = static_cast<std::size_t>(v) % field.rows;
-  const double s = u - std::floor(u), t = v - std::floor(v);
-  const auto at = [&](std::size_t a, std::size_t b) {
-    return static_cast<double>(field.height((i + a) % field.columns, (j + b) % field.rows));
-  };
-  return s >= t ? at(0, 0) + s * (at(1, 0) - at(0, 0)) + t * (at(1, 1) - at(1, 0))
-                : at(0, 0) + t * (at(0, 1) - at(0, 0)) + s * (at(1, 1) - at(0, 1));
-}
+double fact(const std::string& expression, const std::string& name) { return factOf(makeSurface(expression), name); }
 
 /// The cross section as the parameters say: distance `d` from the centre of a groove of the given width, bottom (um)
 /// and angle between walls (degrees).

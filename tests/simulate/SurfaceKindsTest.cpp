@@ -1,5 +1,6 @@
+#include "SurfaceSupport.h"
+
 #include <brdf/base/Error.h>
-#include <brdf/simulate/SurfaceKinds.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,17 +9,6 @@
 
 namespace brdf {
 namespace {
-
-const HeightField& field(const MadeSurface& made) { return std::get<HeightField>(made.surface.shape); }
-
-std::string errorOf(std::string_view expression) {
-  try {
-    makeSurface(expression);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "none";
-}
 
 TEST(SurfaceKinds, RecordsAreComplete) {
   std::set<std::string> names;
@@ -46,15 +36,16 @@ TEST(SurfaceKinds, DefaultsMakeASurface) {
 }
 
 TEST(SurfaceKinds, ErrorsNameWhatIsWrong) {
-  EXPECT_TRUE(errorOf("groves(width=3)").starts_with("unknown kind of surface; found 'groves'; "));
-  EXPECT_NE(errorOf("groves").find("did you mean grooves?"), std::string::npos);
-  EXPECT_NE(errorOf("grooves(widht=3)").find("did you mean width?"), std::string::npos);
-  EXPECT_NE(errorOf("grooves(width=-3)").find("out of bounds"), std::string::npos);
-  EXPECT_NE(errorOf("grooves(width=wide)").find("expected a number"), std::string::npos);
-  EXPECT_NE(errorOf("grooves(width=30)").find("surface grooves, width: out of bounds; found 30"), std::string::npos);
-  EXPECT_NE(errorOf("grooves(sets=1.5)").find("surface grooves, sets: not a whole number; found 1.5"),
+  EXPECT_TRUE(surfaceError("groves(width=3)").starts_with("unknown kind of surface; found 'groves'; "));
+  EXPECT_NE(surfaceError("groves").find("did you mean grooves?"), std::string::npos);
+  EXPECT_NE(surfaceError("grooves(widht=3)").find("did you mean width?"), std::string::npos);
+  EXPECT_NE(surfaceError("grooves(width=-3)").find("out of bounds"), std::string::npos);
+  EXPECT_NE(surfaceError("grooves(width=wide)").find("expected a number"), std::string::npos);
+  EXPECT_NE(surfaceError("grooves(width=30)").find("surface grooves, width: out of bounds; found 30"),
             std::string::npos);
-  EXPECT_NE(errorOf("grooves(width=4").find("column"), std::string::npos);
+  EXPECT_NE(surfaceError("grooves(sets=1.5)").find("surface grooves, sets: not a whole number; found 1.5"),
+            std::string::npos);
+  EXPECT_NE(surfaceError("grooves(width=4").find("column"), std::string::npos);
 }
 
 TEST(SurfaceKinds, PluginsAddTheirOwn) {
@@ -65,7 +56,7 @@ TEST(SurfaceKinds, PluginsAddTheirOwn) {
     return made;
   };
   registerSurfaceKind(kind);
-  EXPECT_EQ(field(makeSurface("bumps_of_test")).heights[0], 1);
+  EXPECT_EQ(heightField("bumps_of_test").heights[0], 1);
   kind.make = {};
   EXPECT_THROW(registerSurfaceKind(kind), Error);
   kind.name = "no name";

@@ -2,7 +2,11 @@
 
 namespace brdf {
 
-std::vector<SurfaceKind> builtInSurfaceKinds() { return {flatSurface(), groovedSurface()}; }
+std::vector<SurfaceKind> builtInSurfaceKinds() {
+  return {flatSurface(),     groovedSurface(),     lamellarSurface(), sinusoidalSurface(), blazedSurface(),
+          gaussianSurface(), exponentialSurface(), spectrumSurface(), brushedSurface(),    scratchedSurface(),
+          triangleSurface(), heightFieldSurface(), meshSurface(),     sphereSurface()};
+}
 
 Parameter lengthParameter(std::string name, std::string label, double defaultValue, std::string description,
                           double minimum, double maximum) {

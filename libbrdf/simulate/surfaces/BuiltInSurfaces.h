@@ -6,9 +6,21 @@
 
 namespace brdf {
 
-/// Of this folder, each in the file of its name.
+/// The kinds of this folder.
 SurfaceKind flatSurface();
 SurfaceKind groovedSurface();
+SurfaceKind lamellarSurface();  // Gratings.cpp
+SurfaceKind sinusoidalSurface();
+SurfaceKind blazedSurface();
+SurfaceKind gaussianSurface();  // RandomSurface.cpp
+SurfaceKind exponentialSurface();
+SurfaceKind spectrumSurface();
+SurfaceKind brushedSurface();  // Scratches.cpp
+SurfaceKind scratchedSurface();
+SurfaceKind triangleSurface();
+SurfaceKind heightFieldSurface();  // FileSurfaces.cpp
+SurfaceKind meshSurface();
+SurfaceKind sphereSurface();
 
 std::vector<SurfaceKind> builtInSurfaceKinds();
 
