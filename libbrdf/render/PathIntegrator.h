@@ -1,7 +1,7 @@
 #pragma once
-#include <brdf/render/PathRandom.h>
 #include <brdf/render/RayCaster.h>
 #include <brdf/render/SceneLighting.h>
+#include <brdf/sampling/PathRandom.h>
 
 #include <cstdint>
 #include <optional>

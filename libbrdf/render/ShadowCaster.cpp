@@ -1,9 +1,9 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/io/OctahedralMap.h>
-#include <brdf/render/PathRandom.h>
 #include <brdf/render/RayCaster.h>
 #include <brdf/render/ShadowCaster.h>
+#include <brdf/sampling/PathRandom.h>
 
 #include <algorithm>
 #include <array>

@@ -8,13 +8,14 @@
 
 namespace brdf {
 
-/// A facet as people write it; numbers are one for all channels, or one a channel separated by blanks:
+/// A facet as people write it; numbers are one for all channels, or one a channel separated by blanks (or "(0.2,
+/// 0.9, 1.1)"):
 /// - "mirror"
 /// - "conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)": refractive index eta + i k
 /// - "dielectric(eta=1.5, absorption=0.01)": absorption (default 0) in 1 / micrometre
 /// - "lambertian(albedo=0.5)"
 /// - "scattering(MATERIAL)": any material expression, file or preset (io/LoadMaterial.h)
-/// Throws Error::Kind::Formula or Error::Kind::Value, naming the part that is wrong.
+/// Throws Error::Kind::Formula or Error::Kind::Value with the column of what is wrong (base/Call.h).
 BRDF_EXPORT Facet parseFacet(std::string_view text);
 /// The expression that reads back.
 BRDF_EXPORT std::string facetText(const Facet& facet);

@@ -11,6 +11,8 @@
 
 namespace brdf {
 
+constexpr double kMostThetaI = 89.99;  ///< degrees: the most that a polar angle of the light may be
+
 /// Where the light of one incident direction went, as shares of what arrived; lists hold one estimate a channel.
 /// reflected + transmitted + absorbed + lost is `sum`, which is 1 within its standard error (exactly, where no path was
 /// ended by chance): nothing of one is in another.

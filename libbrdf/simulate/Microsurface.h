@@ -11,7 +11,10 @@
 
 namespace brdf {
 
-/// What a point of a microsurface does with light. The outside has the refractive index 1.
+/// What a point of a microsurface does with light. The outside has the refractive index 1. A dielectric fills what its
+/// facets enclose (of a height field and of the plane of a packing: all below). Where several overlap, the first of
+/// Microsurface::facets is there (J. Schmidt and B. Budge 2002, "Simple Nested Dielectrics in Ray Traced Images", DOI
+/// 10.1080/10867651.2002.10487555).
 struct Facet {
   enum class Kind {
     Mirror,      ///< reflects everything
@@ -26,6 +29,8 @@ struct Facet {
   std::vector<double> absorption{};  ///< 1 / micrometre inside a dielectric (Beer-Lambert): one, one a channel, or none
   BrdfPointer brdf{};                ///< Scattering; channels as the simulation's, or one
 };
+
+constexpr std::size_t kMostDielectrics = 8;  ///< among the facets of one microsurface
 
 /// Triangles in a tile that repeats without end along x and y. +z is outwards; triangles may reach beyond the tile.
 struct TiledMesh {

@@ -28,25 +28,24 @@ class BRDF_EXPORT OutgoingBins {
 
   double thetaI() const { return thetaI_; }
   double phiI() const { return phiI_; }
+  /// Specular: by how much the pole's polar angle exceeds theta_i (GridLayout::specularOffsets); else 0.
+  double specularOffset() const { return specular_ ? poleTheta_ - thetaI_ : 0; }
   /// The light.
   Direction wi() const { return fromSpherical(thetaI_, phiI_); }
 
  private:
   struct Axis {
-    std::vector<double> edges;  ///< of the cells: of a polar angle in its measure (see find()), of an azimuth radians
-    std::vector<std::uint32_t> guide;  ///< first cell that may hold a value, by equal steps from first to last edge
-    double scale = 0;                  ///< steps a unit
+    std::vector<double> edges;  ///< of the cells: of a polar angle sin^2 of it (spherical) or of its half; radians
     std::size_t stride = 1;
-    bool present = false, folded = false;
-    std::size_t find(double value) const;
-    void prepare();
+    std::size_t find(double value) const;  ///< edges.size() where none
   };
-  void measure();
-  double measureOf(double polar0, double polar1, double azimuth0, double azimuth1) const;
+  double measure(double polar0, double polar1, double azimuth0, double azimuth1) const;
 
-  double thetaI_, phiI_, reference_;  ///< reference_: azimuth from which the bins' azimuth counts
-  bool specular_ = false;
-  Direction mirror_, towardsNormal_, across_;  ///< specular: pole, and the axes of azimuth 0 and 90 degrees
+  double thetaI_, phiI_;
+  bool specular_ = false, folded_ = false;
+  double reference_ = 0, period_ = 2 * kPi;    ///< of the azimuth
+  double poleTheta_ = 0;                       ///< specular: of the mirror direction
+  Direction pole_, towardsNormal_, across_{};  ///< specular: it, and the axes of azimuth 0 and 90 degrees
   Axis polar_, azimuth_;
   std::size_t count_ = 1;
   std::vector<double> measures_;

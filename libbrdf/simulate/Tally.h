@@ -50,12 +50,12 @@ struct Tally {
   RaySums outcomes;                ///< Outcome o of channel c at [o * channels + c]
 
   Tally() = default;
-  Tally(std::size_t bins, std::size_t channels)
-      : bins(bins),
-        channels(channels),
-        reflected(bins * channels),
-        transmitted(bins * channels),
-        outcomes(kOutcomes * channels) {}
+  Tally(std::size_t binCount, std::size_t channelCount)
+      : bins(binCount),
+        channels(channelCount),
+        reflected(binCount * channelCount),
+        transmitted(binCount * channelCount),
+        outcomes(kOutcomes * channelCount) {}
 
   /// Adds other rays of the same direction.
   BRDF_EXPORT void add(const Tally& other);
