@@ -14,7 +14,7 @@ In a notebook a view, a BRDF and a rendered picture show themselves.
 from vtkmodules import vtkCommonExecutionModel, vtkIOCore, vtkRenderingOpenGL2  # noqa: F401
 
 from .vtkBRDFFilters import *  # noqa: F401,F403
-from .shorthands import evaluate, material, names, pixels, png  # noqa: F401
+from .shorthands import evaluate, from_function, from_samples, material, names, pixels, png  # noqa: F401
 from .notebook import show_in_notebooks as _show_in_notebooks
 
 _show_in_notebooks()

@@ -9,11 +9,14 @@
 #include "vtkStringArray.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <brdf/base/Error.h>
 #include <brdf/geometry/Directions.h>
+#include <brdf/material/Channels.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,6 +90,27 @@ inline std::vector<double> FieldNumbers(vtkFieldData* fields, const char* name)
     numbers[i] = array->GetTuple1(static_cast<vtkIdType>(i));
   }
   return numbers;
+}
+
+/** What so many components of values mean: by the array "wavelengths" (nm) of the field data, else 1 is monochrome and
+ * 3 is RGB. Throws brdf::Error, naming `where`, for anything else. */
+inline brdf::Channels ChannelsOf(vtkFieldData* fields, int components, const char* where)
+{
+  auto wavelengths = FieldNumbers(fields, "wavelengths");
+  if (wavelengths.empty() && (components == 1 || components == 3))
+  {
+    return components == 1 ? brdf::Channels::monochrome() : brdf::Channels::rgb();
+  }
+  if (wavelengths.size() != static_cast<std::size_t>(components) ||
+      std::adjacent_find(wavelengths.begin(), wavelengths.end(), std::greater_equal<>()) != wavelengths.end())
+  {
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "number of components",
+                        where,
+                        std::to_string(components) + ", with " + std::to_string(wavelengths.size()) + " wavelengths",
+                        "1, 3, or as many ascending wavelengths (nm) in the field data" });
+  }
+  return brdf::Channels::spectral(std::move(wavelengths));
 }
 }
 

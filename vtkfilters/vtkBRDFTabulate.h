@@ -14,7 +14,8 @@ class vtkImageData;
  * phi_h = 0.
  *
  * Point data: "value" (f_r in 1/sr, one component a channel, double, the active scalars) and "valid" (0 below the
- * horizon and where the BRDF has no value; the values are then 0).
+ * horizon and where the BRDF has no value; the values are then 0). Field data: of spectral BRDFs "wavelengths" (nm).
+ * vtkBRDFFromTable is the way back.
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFTabulate : public vtkBRDFAlgorithm
 {

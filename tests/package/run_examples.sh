@@ -37,5 +37,12 @@ if [ -n "$python" ]; then
   "$python" "$examples/lobe.py" "0.3*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)" lobe.png
   "$python" "$examples/compare_fits.py" "$gold" "Lambertian + GGX" "Lambertian + Ward"
   "$python" "$examples/fit_and_render.py" "$gold" "$prefix/share/brdflab/environments/venice.exr"
+  "$python" "$examples/regression.py" GGX kept.npy
+  "$python" "$examples/regression.py" GGX kept.npy
+  if "$python" "$examples/regression.py" "GGX(alpha=0.21)" kept.npy; then
+    echo "a changed material passed for the same"
+    exit 1
+  fi
+  "$python" "$examples/custom_filter/highlight.py" | grep "0 degrees: 15.0 degrees wide" >/dev/null
   for picture in lobe errors-a errors-b sphere; do cmp "$picture.png" "../run/$picture.png"; done
 fi

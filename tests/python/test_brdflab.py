@@ -1,5 +1,6 @@
 """The package `brdflab` as a user of Python meets it."""
 
+import contextlib
 import math
 import os
 import subprocess
@@ -9,7 +10,7 @@ import unittest
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkUnsignedCharArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkObject, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 os.environ.pop("DISPLAY", None)  # nothing here may need an X server
@@ -25,6 +26,16 @@ def source(material):
     return made
 
 
+@contextlib.contextmanager
+def quiet():
+    """VTK's errors are expected, and not printed."""
+    vtkObject.GlobalWarningDisplayOff()
+    try:
+        yield
+    finally:
+        vtkObject.GlobalWarningDisplayOn()
+
+
 def hemisphere(count, seed):
     """Unit vectors above the horizon."""
     vectors = np.random.default_rng(seed).normal(size=(count, 3))
@@ -36,6 +47,78 @@ def evaluate(brdf, wi, wo):
     values, valid = vtkDoubleArray(), vtkUnsignedCharArray()
     assert brdf.Evaluate(numpy_to_vtk(wi), numpy_to_vtk(wo), values, valid)
     return vtk_to_numpy(values), vtk_to_numpy(valid)
+
+
+class Arrays(unittest.TestCase):
+    """numpy to BRDF and back."""
+
+    def test_a_table_goes_to_an_image_and_comes_back(self):
+        made = source("(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.3)")
+        there = brdflab.vtkBRDFTabulate()
+        there.SetInputConnection(made.GetOutputPort())
+        there.SetCells(24, 20, 30)
+        back = brdflab.vtkBRDFFromTable()
+        back.SetInputConnection(there.GetOutputPort())
+        again = brdflab.vtkBRDFTabulate()
+        again.SetInputConnection(back.GetOutputPort())
+        again.SetCells(24, 20, 30)
+        self.assertTrue(again.UpdateAndCheck(), again.GetPipelineErrorText())
+        for name in ("value", "valid"):
+            first, second = (vtk_to_numpy(f.GetOutput().GetPointData().GetArray(name)) for f in (there, again))
+            np.testing.assert_allclose(first, second, rtol=1e-14)
+        self.assertEqual(back.GetOutput().GetChannelKind(), "rgb")
+
+    def test_a_spectral_table_keeps_its_wavelengths(self):
+        wavelengths = [450.0, 500.0, 550.0, 600.0]
+        flat = brdflab.from_function(lambda wi, wo: np.tile([0.1, 0.2, 0.3, 0.25], (len(wi), 1)), (4, 4, 4),
+                                     wavelengths=wavelengths)
+        there = brdflab.vtkBRDFTabulate()
+        there.SetInputData(flat)
+        there.SetCells(4, 4, 4)
+        back = brdflab.vtkBRDFFromTable()
+        back.SetInputConnection(there.GetOutputPort())
+        self.assertTrue(back.UpdateAndCheck(), back.GetPipelineErrorText())
+        self.assertEqual([back.GetOutput().GetWavelength(c) for c in range(4)], wavelengths)
+
+    def test_a_function_is_what_its_table_gives(self):
+        wi, wo = hemisphere(500, 1), hemisphere(500, 2)
+        smooth = lambda wi, wo: np.stack([0.1 + 0.2 * wi[:, 2] * wo[:, 2], wi[:, 2] + wo[:, 2]], axis=1)[:, [0, 1, 1]]
+        values, valid = brdflab.evaluate(brdflab.from_function(smooth, (90, 90, 90)), wi, wo)
+        inside = valid & (np.minimum(wi[:, 2], wo[:, 2]) > 0.05)
+        self.assertGreater(inside.sum(), 400)
+        np.testing.assert_allclose(values[inside], smooth(wi, wo)[inside], atol=2e-3)
+
+    def test_samples_come_back_at_their_own_directions(self):
+        wi, wo = hemisphere(200, 3), hemisphere(200, 4)
+        values = 0.2 + 0.1 * wi[:, 2] * wo[:, 2]
+        values[7] = np.nan
+        brdf = brdflab.from_samples(3 * wi, wo, values, uncertainty=0.01 * np.ones(200))
+        self.assertEqual(brdf.GetNumberOfSamples(), 200)
+        found, valid = brdflab.evaluate(brdf, wi, wo)
+        self.assertTrue(valid.all())
+        np.testing.assert_allclose(np.delete(found[:, 0], 7), np.delete(values, 7), rtol=1e-9)
+        fit = brdflab.vtkBRDFFit()
+        fit.SetInputData(brdf)
+        fit.SetLobes("Lambertian")
+        self.assertTrue(fit.UpdateAndCheck(), fit.GetPipelineErrorText())
+
+    def test_what_is_no_table_and_no_samples_is_refused(self):
+        image = vtkImageData()
+        image.SetDimensions(8, 8, 8)
+        image.AllocateScalars(11, 1)
+        maker = brdflab.vtkBRDFFromTable()
+        maker.SetInputData(image)
+        with quiet():
+            self.assertFalse(maker.UpdateAndCheck())
+        self.assertIn("half/difference", maker.GetErrorText())
+        wi, wo = hemisphere(5, 5), hemisphere(5, 6)
+        with quiet():
+            with self.assertRaisesRegex(ValueError, "wavelengths"):
+                brdflab.from_samples(wi, wo, np.ones((5, 4)))
+            with self.assertRaisesRegex(ValueError, "3 components"):
+                brdflab.from_samples(wi[:, :2], wo, np.ones(5))
+        with self.assertRaisesRegex(ValueError, "2 to 1024"):
+            brdflab.from_function(lambda wi, wo: wi, cells=(1, 2, 3))
 
 
 class Slices(unittest.TestCase):
