@@ -14,8 +14,8 @@ function (brdf_embed target namespace name)
   add_custom_command(
     OUTPUT "${header}" "${source}"
     COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DNAMESPACE=${namespace} -DNAME=${name} "-DHEADER=${header}"
-            "-DSOURCE=${source}" -P "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
-    DEPENDS ${files} "${CMAKE_SOURCE_DIR}/cmake/EmbedFiles.cmake"
+            "-DSOURCE=${source}" -P "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedFiles.cmake"
+    DEPENDS ${files} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/EmbedFiles.cmake"
     VERBATIM)
   # The target may belong to a folder above: a custom command alone would be out of its sight.
   add_custom_target(${target}_${name} DEPENDS "${header}" "${source}")

@@ -438,7 +438,7 @@ void vtkBRDFPolyDataMapper::SetLights(vtkShaderProgram* program, vtkRenderer* re
   renderer->GetLights()->InitTraversal(iterator);
   while (vtkLight* light = renderer->GetLights()->GetNextLight(iterator))
   {
-    if (!light->GetSwitch() || (this->Environment && light->LightTypeIsHeadlight()))
+    if (!light->GetSwitch() || (this->Environment && !light->LightTypeIsSceneLight()))
     {
       continue;
     }

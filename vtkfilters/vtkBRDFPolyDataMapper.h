@@ -42,7 +42,8 @@ class vtkShaderProgram;
  *
  * Lights of the renderer: a vtkLight's color times intensity is irradiance across the beam for a directional light, and
  * radiant intensity of a positional one (falling off with the square of distance; cone and attenuation are not used).
- * At most eight. Headlights shine only where there is no environment, because renderers make one by themselves.
+ * At most eight. Lights that go with the camera shine only where there is no environment: headlights, because renderers
+ * make one by themselves, and those of light kits.
  *
  * The tangent is the active point tangents of the geometry (vtkPointData::SetTangents) where there are any, else an
  * arbitrary one that varies smoothly with the normal: give tangents for anisotropic materials.

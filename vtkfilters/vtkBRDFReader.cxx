@@ -7,8 +7,15 @@
 #include "vtkStringArray.h"
 #include "vtkTypeInt64Array.h"
 
+#include <brdf/base/Error.h>
+#include <brdf/base/File.h>
 #include <brdf/base/Text.h>
-#include <brdf/measured/Format.h>
+#include <brdf/io/Container.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/io/LoadXml.h>
+
+#include <algorithm>
+#include <filesystem>
 
 vtkStandardNewMacro(vtkBRDFReader);
 
@@ -51,7 +58,12 @@ int vtkBRDFReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
       items.emplace_back(item);
     }
   }
-  brdf::ReadResult result = brdf::readMeasured(this->FileName, brdf::parseReadOptions(items));
+  if (!std::filesystem::exists(this->FileName))
+  {
+    throw brdf::Error(brdf::Error::Kind::File, { "no such file", this->FileName, {}, {} });
+  }
+  const std::string which = this->Entry.empty() ? "" : "#" + this->Entry;
+  brdf::LoadedMaterial result = brdf::loadMaterial(this->FileName + which, brdf::parseReadOptions(items));
   vtkBRDF* output = vtkBRDF::GetData(outputs);
   output->SetBrdf(std::move(result.brdf));
   vtkFieldData* fields = output->GetFieldData();
@@ -66,9 +78,26 @@ int vtkBRDFReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInfor
   return 1;
 }
 
+int vtkBRDFReader::CanReadFile(const std::string& fileName)
+{
+  try
+  {
+    const std::string head = brdf::readFileHead(fileName, 8192);
+    const auto size = std::filesystem::file_size(fileName);
+    return brdf::Container::recognises(head.substr(0, 16)) || brdf::isMaterialXml(head) ||
+           std::ranges::any_of(brdf::allFormats(),
+                               [&](const brdf::Format& format) { return format.recognise(head, size) > 0; });
+  }
+  catch (const std::exception&)
+  {
+    return 0; // no file, or one that cannot be opened
+  }
+}
+
 void vtkBRDFReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << this->FileName << "\n";
+  os << indent << "Entry: " << this->Entry << "\n";
   os << indent << "Assumptions: " << this->Assumptions << "\n";
 }

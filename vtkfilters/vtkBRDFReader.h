@@ -7,7 +7,9 @@
 
 /**
  * @class vtkBRDFReader
- * @brief Reads a measured BRDF of any supported format, recognised by content
+ * @brief Reads a BRDF from a file of any supported format, recognised by content
+ *
+ * Measured data, containers (.vtkhdf) and materials in XML.
  *
  * What the reader noticed and assumed is in the field data of the output, one string array each: "format",
  * "assumptions", "warnings"; and the counts "samples", "invalid", "negative", "notFinite", "belowHorizon".
@@ -26,6 +28,12 @@ public:
   ///@}
 
   ///@{
+  /** Which BRDF of a file that holds several: its number from 0, or its name. Empty (default): the first. */
+  vtkSetMacro(Entry, std::string);
+  vtkGetMacro(Entry, std::string);
+  ///@}
+
+  ///@{
   /**
    * What the user says of the file, against what its format says: "KEY=VALUE" items separated by blanks, e.g.
    * "quantity=brdf_cos angles=degrees". Empty: nothing. The keys are those of brdf/measured/ReadOptions.h.
@@ -33,6 +41,9 @@ public:
   vtkSetMacro(Assumptions, std::string);
   vtkGetMacro(Assumptions, std::string);
   ///@}
+
+  /** 1 where some format recognises the content of the file, else 0. */
+  int CanReadFile(const std::string& fileName);
 
 protected:
   vtkBRDFReader();
@@ -44,6 +55,7 @@ private:
   void operator=(const vtkBRDFReader&) = delete;
 
   std::string FileName;
+  std::string Entry;
   std::string Assumptions;
 };
 #endif

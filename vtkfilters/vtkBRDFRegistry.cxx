@@ -11,6 +11,8 @@
 #include <brdf/measured/Format.h>
 #include <brdf/models/Registry.h>
 
+#include <set>
+
 vtkStandardNewMacro(vtkBRDFRegistry);
 
 namespace
@@ -25,7 +27,10 @@ void Append(vtkStringArray* names, const Range& range, Name&& name)
   }
 }
 
-const auto OwnName = [](const auto& item) -> const auto& { return item.name; };
+const auto OwnName = [](const auto& item) -> const auto&
+{
+  return item.name;
+};
 }
 
 bool vtkBRDFRegistry::GetNames(const std::string& kind, vtkStringArray* names)
@@ -38,6 +43,19 @@ bool vtkBRDFRegistry::GetNames(const std::string& kind, vtkStringArray* names)
   else if (kind == "formats")
   {
     Append(names, brdf::allFormats(), OwnName);
+  }
+  else if (kind == "extensions" || kind == "extensions written")
+  {
+    std::set<std::string> extensions = { ".vtkhdf", ".xml" };
+    for (const brdf::Format& format : brdf::allFormats())
+    {
+      if (format.write || kind == "extensions")
+      {
+        extensions.insert(format.extension);
+      }
+    }
+    extensions.erase("");
+    Append(names, extensions, [](const auto& extension) { return extension; });
   }
   else if (kind == "metrics")
   {

@@ -11,9 +11,10 @@ class vtkStringArray;
  * @class vtkBRDFRegistry
  * @brief Names of what there is: lobes, formats, metrics, optimizers, and what plugins add to them
  *
- * Kinds: "lobes", "formats" (of measured data), "metrics", "optimizers", "exporters", "presets", "materials" (kinds of
- * materials registered from outside, written NAME:ARGUMENTS), "plugins" (files loaded) and "failures" (plugins and lobes
- * that were left out, and why).
+ * Kinds: "lobes", "formats" (of measured data), "extensions" and "extensions written" (of files
+ * that vtkBRDFReader and vtkBRDFWriter take, with the dot),
+ * "metrics", "optimizers", "exporters", "presets", "materials" (kinds of materials registered from outside, written
+ * NAME:ARGUMENTS), "plugins" (files loaded) and "failures" (plugins and lobes that were left out, and why).
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFRegistry : public vtkObject
 {

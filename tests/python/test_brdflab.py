@@ -334,6 +334,42 @@ class Pipeline(unittest.TestCase):
             value = vtk_to_numpy(points.GetArray("value"))[:, 1].reshape(90, 90, 180)
             self.assertAlmostEqual(value[12, 25, 50], 0.25 / math.pi, places=12)
 
+    def test_files_are_written_recognised_and_read(self):
+        paint = source("(0.3,0.2,0.1)*Lambertian + 0.04*GGX(alpha=0.3)")
+        writer = brdflab.vtkBRDFWriter()
+        writer.SetInputConnection(paint.GetOutputPort())
+        reader = brdflab.vtkBRDFReader()
+        with tempfile.TemporaryDirectory() as folder:
+            for name, exact in (("paint.vtkhdf", True), ("paint.xml", True), ("paint.binary", False)):
+                path = os.path.join(folder, name)
+                writer.SetFileName(path)
+                self.assertTrue(writer.Write(), writer.GetPipelineErrorText())
+                self.assertTrue(reader.CanReadFile(path))
+                reader.SetFileName(path)
+                self.assertTrue(reader.UpdateAndCheck(), reader.GetErrorText())
+                self.assertEqual(reader.GetOutput().GetDescription() == paint.GetOutput().GetDescription(), exact)
+                self.assertEqual(reader.GetOutput().GetNumberOfChannels(), 3)
+                os.remove(path)
+                self.assertTrue(writer.Write() and os.path.exists(path))  # though nothing has changed
+            self.assertIn("resampled", writer.GetLosses())
+
+            reader.SetEntry("1")
+            reader.AddObserver("ErrorEvent", lambda *_: None)
+            writer.AddObserver("ErrorEvent", lambda *_: None)
+            self.assertFalse(reader.UpdateAndCheck())
+            self.assertIn("holds one BRDF", reader.GetErrorText())
+            writer.SetFormat("nonsense")
+            self.assertFalse(writer.Write())
+            self.assertIn("vtkhdf", writer.GetPipelineErrorText())
+            for content in (b"", b"nothing of the kind\n"):
+                with open(os.path.join(folder, "other.txt"), "wb") as file:
+                    file.write(content)
+                self.assertFalse(reader.CanReadFile(file.name))
+            self.assertFalse(reader.CanReadFile(os.path.join(folder, "missing.binary")))
+            reader.SetFileName(os.path.join(folder, "missing.binary"))
+            self.assertFalse(reader.UpdateAndCheck())
+            self.assertIn("no such file", reader.GetErrorText())
+
     def test_fit_of_a_formula(self):
         truth = source("0.3*Lambertian + 0.5*GGX(alpha=0.3, ior=1.5)")
         fit = brdflab.vtkBRDFFit()

@@ -30,6 +30,7 @@ Json modelJson(const ModelPointer& pointer, bool page) {
                       {"soft_min", p.softMinimum},
                       {"soft_max", p.softMaximum}};
     parameter["scale"] = p.scale == Parameter::Scale::Logarithmic ? "logarithmic" : "linear";
+    if (!p.follows.empty()) parameter["follows"] = p.follows;
     parameters.push_back(std::move(parameter));
   }
   std::vector<std::string> references;

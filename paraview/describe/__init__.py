@@ -1,0 +1,1 @@
+"""Server-manager XML for ParaView, generated from what BRDFLab's classes say."""

@@ -1,0 +1,125 @@
+"""The server-manager files: sources, readers, writers, filters and lobes."""
+
+from .classes import brief, comment, settings
+from .lobes import lobe_proxies
+from .properties import property_of
+from .proxies import FILTERS, READERS, SOURCES, WRITERS
+from .xml import configuration, documentation, element
+
+# Endings that registered formats read besides the one that they write.
+OTHER_EXTENSIONS = [".ddt", ".sdt"]
+
+
+def spectrum_directions(kind):
+    """The pairs of directions of vtkBRDFSpectrum: a list of any length."""
+    return element(
+        "DoubleVectorProperty",
+        element("DoubleRangeDomain", name="range", min="0 -360 0 -360", max="89.9 360 89.9 360"),
+        documentation(comment(kind.AddDirections) + " theta_i, phi_i, theta_o, phi_o of each."),
+        name="Directions",
+        command="AddDirections",
+        clean_command="RemoveAllDirections",
+        repeat_command=1,
+        number_of_elements_per_command=4,
+        use_index=0,
+    )
+
+
+EXTRA = {"spectrum_directions": spectrum_directions}
+
+
+def input_of(name, port, data_type, optional):
+    if data_type is None:
+        domain = element("BRDFDomain", name="input_type")
+    else:
+        domain = element("DataTypeDomain", element("DataType", value=data_type), name="input_type")
+    groups = element("ProxyGroupDomain", *[element("Group", name=g) for g in ("sources", "filters")], name="groups")
+    return element(
+        "InputProperty",
+        groups,
+        domain,
+        element("Hints", element("Optional")) if optional else [],
+        name=name,
+        command="SetInputConnection",
+        port_index=port or None,
+    )
+
+
+def group_of(title, names, widget):
+    functions = dict(zip(names, ("Theta", "Phi"))) if widget else {}
+    members = [element("Property", name=name, function=functions.get(name)) for name in names]
+    return element("PropertyGroup", *members, label=title, panel_widget=widget)
+
+
+def label_of(name):
+    return name.replace("BRDF", "BRDF ", 1) if name.count("BRDF") == 1 else name
+
+
+def words(name):
+    label = ""
+    for letter in label_of(name):
+        label += (" " if letter.isupper() and label[-1:].islower() else "") + letter
+    return label
+
+
+def check_settings(proxy, kind):
+    missing = settings(kind) - set(proxy.settings) - set(proxy.left_out)
+    strange = (set(proxy.settings) | set(proxy.left_out)) - settings(kind)
+    if missing or strange:
+        raise SystemExit(f"describe/proxies.py, {proxy.name}: settings without a place {missing}, that do not exist {strange}")
+
+
+def proxy_lines(proxy, module, tag="SourceProxy", hints=()):
+    """A proxy. Where the class is not wrapped for Python (it needs ParaView) the text is the table's own."""
+    kind = getattr(module, proxy.kind, None)
+    title, text = brief(kind) if kind else (words(proxy.name), [proxy.text])
+    if kind:
+        check_settings(proxy, kind)
+    instance = kind() if kind else None
+    shown = list(hints)
+    if proxy.view:
+        shown.append(element("View", type=proxy.view))
+    return element(
+        tag,
+        documentation(" ".join([title + "."] + text), title),
+        *[input_of(*one) for one in proxy.inputs],
+        *[property_of(instance, name, how) for name, how in proxy.settings.items()],
+        *[EXTRA[name](kind) for name in proxy.extra],
+        *[group_of(*group) for group in proxy.groups],
+        *[element("OutputPort", name=name, index=k) for k, name in enumerate(proxy.outputs)],
+        element("Hints", *shown) if shown else [],
+        name=proxy.name,
+        label=words(proxy.name),
+        **{"class": proxy.kind},
+    )
+
+
+def many(proxies, module, **how):
+    menu = element("ShowInMenu", category="BRDF")
+    return [line for proxy in proxies for line in proxy_lines(proxy, module, hints=(menu,), **how)]
+
+
+def extensions_of(names):
+    return " ".join(sorted({e.removeprefix(".") for e in names}))
+
+
+def reader_lines(module, extensions):
+    known = extensions_of(extensions + OTHER_EXTENSIONS)
+    factory = element("ReaderFactory", extensions=known, file_description="BRDF")
+    return [line for p in READERS for line in proxy_lines(p, module, hints=(factory,))]
+
+
+def writer_lines(module, extensions):
+    factory = element("WriterFactory", extensions=extensions_of(extensions), file_description="BRDF")
+    return [line for p in WRITERS for line in proxy_lines(p, module, tag="WriterProxy", hints=(factory,))]
+
+
+def files(module, models, names):
+    """File name -> text. `module`: the package brdflab; `names(kind)`: names of a registry."""
+    readers = reader_lines(module, names("extensions"))
+    writers = writer_lines(module, names("extensions written"))
+    return {
+        "lobes.xml": configuration(("sources", lobe_proxies(models, module.vtkBRDFModelSource()))),
+        "sources.xml": configuration(("sources", many(SOURCES, module) + readers), ("writers", writers)),
+        "filters.xml": configuration(("filters", many(FILTERS, module))),
+    }

@@ -1,0 +1,209 @@
+"""What ParaView offers: which class is a source, which a filter, and how its settings are entered. Names, defaults,
+bounds and texts come from the classes."""
+
+from dataclasses import dataclass, field
+
+ANGLE = {"low": -360.0, "high": 360.0}
+POLAR = {"low": 0.0, "high": 89.9}
+ADVANCED = {"advanced": True}
+TRANSFORMS = {"choices": ["none", "cuberoot", "log", "logfloor"]}
+CHANNELS = {
+    "Channel": {},
+    "Illuminant": ADVANCED,
+    "Observer": {"choices": ["2", "10"], "advanced": True},
+    "Adaptation": {"choices": ["bradford", "none"], "advanced": True},
+}
+COLOURS = {name: how for name, how in CHANNELS.items() if name != "Channel"}
+LIGHT = ("Light", ["ThetaI", "PhiI"], "BRDFDirection")
+
+
+@dataclass
+class Proxy:
+    """A source or filter. `settings`: property name -> how it is entered (properties.KEYS), in the panel's order.
+    `inputs`: (name, port, type, optional) with type None for a BRDF. `left_out`: settings of the class that are no
+    property, with the reason. `groups`: (title, properties, panel widget or None). `outputs`: names of several ports."""
+
+    name: str
+    kind: str
+    settings: dict
+    inputs: list = field(default_factory=list)
+    outputs: list = field(default_factory=list)
+    left_out: dict = field(default_factory=dict)
+    groups: list = field(default_factory=list)
+    view: str = None
+    text: str = None
+    extra: list = field(default_factory=list)
+    category: str = "BRDF"
+
+
+MATERIAL = ("Input", 0, None, False)
+
+SOURCES = [
+    Proxy("BRDFMaterial", "vtkBRDFSource", {"Material": {"lines": True}}),
+    Proxy("BRDFObject", "vtkBRDFObjectSource", {"Object": {}}),
+]
+
+READERS = [
+    Proxy("BRDFReader", "vtkBRDFReader", {"FileName": {"file": "open"}, "Entry": {}, "Assumptions": {}}),
+]
+
+WRITERS = [
+    Proxy("BRDFWriter", "vtkBRDFWriter", {"FileName": {"file": "save"}, "Format": {}}, [MATERIAL]),
+]
+
+FILTERS = [
+    Proxy(
+        "BRDFLobe",
+        "vtkBRDFLobe",
+        {
+            "ThetaI": POLAR,
+            "PhiI": ANGLE,
+            "Transform": TRANSFORMS,
+            "Floor": {"low": 1e-9, "high": 1.0, "show_if": ("Transform", "logfloor")},
+            "Shape": {"choices": ["value", "difference", "displaced"]},
+            **CHANNELS,
+            "Colour": {},
+            "Resolution": {"low": 0, "high": 9, "advanced": True},
+            "Tolerance": {"low": 0.0, "high": 1.0, "advanced": True},
+            "MaximumTriangles": ADVANCED,
+        },
+        [MATERIAL, ("Second", 1, None, True)],
+        groups=[LIGHT],
+        view="RenderView",
+    ),
+    Proxy(
+        "BRDFLobeSamples",
+        "vtkBRDFLobeSamples",
+        {
+            "ThetaI": POLAR,
+            "PhiI": ANGLE,
+            "Within": {"low": 0.0, "high": 180.0},
+            "Transform": TRANSFORMS,
+            "Floor": {"low": 1e-9, "high": 1.0, "show_if": ("Transform", "logfloor")},
+            **CHANNELS,
+            "MaximumPoints": ADVANCED,
+        },
+        [MATERIAL, ("Model", 1, None, True)],
+        groups=[LIGHT],
+        view="RenderView",
+    ),
+    Proxy(
+        "BRDFSlice",
+        "vtkBRDFSlice",
+        {
+            "Axes": {
+                "choices": ["theta_h,theta_d", "theta_i,theta_o"]
+                + [angle + ",wavelength" for angle in ("theta_o", "phi", "theta_h", "theta_d", "phi_d")]
+            },
+            "Cells": {"low": 1, "high": 8192},
+            "Warp": {"low": 0.1, "high": 10.0},
+            **{name: POLAR for name in ("ThetaI", "ThetaO", "ThetaH", "ThetaD")},
+            **{name: ANGLE for name in ("PhiI", "Phi", "PhiH", "PhiD")},
+            **CHANNELS,
+        },
+        [MATERIAL],
+        groups=[("Fixed angles (degrees)", ["ThetaI", "ThetaO", "ThetaH", "ThetaD", "PhiI", "Phi", "PhiH", "PhiD"], None)],
+        view="RenderView",
+    ),
+    Proxy(
+        "BRDFCurve",
+        "vtkBRDFCurve",
+        {
+            "Angle": {"choices": ["theta_o", "phi", "theta_h", "theta_d", "phi_d"]},
+            "Quantity": {"choices": ["f", "f_cos"]},
+            **{name: POLAR for name in ("ThetaI", "ThetaO", "ThetaH", "ThetaD")},
+            **{name: ANGLE for name in ("PhiI", "Phi", "PhiH", "PhiD")},
+            **CHANNELS,
+            "Intervals": {"low": 1, "high": 100000, "advanced": True},
+            "SampleTolerance": {"low": 0.0, "high": 90.0, "advanced": True},
+        },
+        [MATERIAL],
+        outputs=["Values", "Samples"],
+        groups=[("Fixed angles (degrees)", ["ThetaI", "ThetaO", "ThetaH", "ThetaD", "PhiI", "Phi", "PhiH", "PhiD"], None)],
+        view="XYChartView",
+    ),
+    Proxy(
+        "BRDFAlbedo",
+        "vtkBRDFAlbedo",
+        {"Intervals": {}, "PhiI": ANGLE, **CHANNELS, "Points": ADVANCED},
+        [MATERIAL],
+        view="XYChartView",
+    ),
+    Proxy(
+        "BRDFErrorMap",
+        "vtkBRDFErrorMap",
+        {
+            "Measure": {"names": "metrics", "first": "absolute difference"},
+            "Average": {"choices": ["automatic", "rms", "absolute", "signed"]},
+            "Axes": {"choices": ["theta_i,theta_o", "theta_h,theta_d", "theta_d,phi_d", "hemisphere"]},
+            "ThetaI": POLAR | {"show_if": ("Axes", "hemisphere")},
+            "PhiI": ANGLE | {"show_if": ("Axes", "hemisphere")},
+            "Projection": {"choices": ["equal-area", "orthographic"], "show_if": ("Axes", "hemisphere")},
+            "SampleAngle": {"low": 0.0, "high": 180.0, "show_if": ("Axes", "hemisphere")},
+            "Directions": {"choices": ["automatic", "samples", "chosen"]},
+            "Intervals": {},
+            "Azimuths": {"low": 1, "high": 3600},
+            **CHANNELS,
+            "NumberOfWorst": ADVANCED,
+            "NumberOfBins": ADVANCED,
+        },
+        [MATERIAL, ("Reference", 1, None, False)],
+        outputs=["Errors", "Histogram", "Worst"],
+        view="RenderView",
+    ),
+    Proxy("BRDFTabulate", "vtkBRDFTabulate", {"Cells": {"low": 2, "high": 1024}, "Reciprocal": {}}, [MATERIAL]),
+    Proxy("BRDFCells", "vtkBRDFCells", {}, [MATERIAL]),
+    Proxy("BRDFHoleMap", "vtkBRDFHoleMap", {"XAxis": {}, "YAxis": {}}, [MATERIAL], view="RenderView"),
+    Proxy(
+        "BRDFFillHoles",
+        "vtkBRDFFillHoles",
+        {"Method": {"choices": ["nearest", "none", "reciprocity", "symmetry", "model"]}},
+        [MATERIAL, ("Model", 1, None, True)],
+    ),
+    Proxy(
+        "BRDFSpectrum",
+        "vtkBRDFSpectrum",
+        {},
+        [MATERIAL],
+        view="XYChartView",
+        extra=["spectrum_directions"],
+    ),
+    Proxy(
+        "BRDFFit",
+        "vtkBRDFFit",
+        {
+            "Lobes": {},
+            "Metric": {"names": "metrics"},
+            "Optimizer": {"names": "optimizers"},
+            "Constraints": {},
+            "Channels": {"choices": ["native", "luminance", "rgb"]},
+            "PerChannel": {},
+            "MaximumTheta": {"low": 0.0, "high": 90.0},
+            "Sampling": {"choices": ["automatic", "all", "hemisphere", "importance"]},
+            "NumberOfSamples": ADVANCED,
+            "SolidAngleWeights": ADVANCED,
+            "Strategy": {"choices": ["automatic", "separable", "joint"], "advanced": True},
+            "Progressive": {},
+            "CrossValidation": ADVANCED,
+            "Tolerance": {"low": 0.0, "high": 1.0, "advanced": True},
+            "Starts": {},
+            "Seed": ADVANCED,
+        },
+        [MATERIAL],
+        outputs=["Fit", "Parameters", "Regions"],
+        groups=[
+            ("Model", ["Lobes", "Constraints", "PerChannel", "Progressive"], None),
+            ("Target", ["Channels", "Sampling", "NumberOfSamples", "SolidAngleWeights", "MaximumTheta"], None),
+            ("Search", ["Metric", "Optimizer", "Strategy", "Starts", "Seed", "Tolerance", "CrossValidation"], None),
+        ],
+    ),
+    Proxy(
+        "BRDFSurfaceMaterial",
+        "vtkBRDFSurfaceMaterial",
+        {},
+        [("Input", 0, "vtkPolyData", False), ("Material", 1, None, False)],
+        text="A surface that carries its material to where it is drawn: in triangles, with normals (splitting edges "
+        'sharper than 40 degrees) and tangents where it had none. The representation "BRDF under light" draws it.',
+        view="RenderView",
+    ),
+]

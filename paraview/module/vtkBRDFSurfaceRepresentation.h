@@ -1,0 +1,89 @@
+#ifndef vtkBRDFSurfaceRepresentation_h
+#define vtkBRDFSurfaceRepresentation_h
+#include <string>                   // For std::string
+#include "vtkBRDFParaViewModule.h"  // For export macro
+#include "vtkGeometryRepresentationWithFaces.h"
+#include "vtkNew.h"  // For vtkNew
+
+class vtkBRDF;
+class vtkBRDFEnvironment;
+class vtkBRDFPolyDataMapper;
+class vtkPolyData;
+
+/**
+ * @class vtkBRDFSurfaceRepresentation
+ * @brief Draws a surface with its material under environment light: "BRDF under light" among ParaView's representations
+ *
+ * The material is that of vtkBRDFSurfaceMaterial; a surface without one is drawn as "Surface" draws it, with a warning.
+ * The drawing is vtkBRDFPolyDataMapper's, encoded as sRGB. Transforms, visibility and picking are those of "Surface";
+ * colours, textures, opacity and level of detail have no meaning here. Scene lights of the view
+ * shine besides; ParaView's light kit, which goes with the camera, only where there is no environment.
+ */
+class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceRepresentation : public vtkGeometryRepresentationWithFaces {
+ public:
+  static vtkBRDFSurfaceRepresentation* New();
+  vtkTypeMacro(vtkBRDFSurfaceRepresentation, vtkGeometryRepresentationWithFaces);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /** OpenEXR or Radiance picture of the surroundings (equirectangular, linear), read by the process that draws. Empty
+   * (default): radiance 1 from everywhere, under which a white Lambertian is white. */
+  void SetEnvironmentFile(const char* path);
+  std::string GetEnvironmentFile() { return this->EnvironmentFile; }
+
+  ///@{
+  /** Degrees by which the surroundings are turned about +y, the vertical, counter-clockwise seen from above; default 0.
+   */
+  void SetEnvironmentRotation(double degrees);
+  double GetEnvironmentRotation();
+  ///@}
+
+  ///@{
+  /** Whether the surroundings shine; default on. Off: only lights of the view do. */
+  void SetUseEnvironment(bool use);
+  bool GetUseEnvironment();
+  ///@}
+
+  ///@{
+  /** Samples of the environment a pixel; default 64. More is slower in proportion, sharper and less noisy. */
+  void SetNumberOfSamples(int samples);
+  int GetNumberOfSamples();
+  ///@}
+
+  ///@{
+  /** Powers of two by which the radiance is multiplied before it is shown; default 0. */
+  void SetExposure(double stops);
+  double GetExposure();
+  ///@}
+
+  ///@{
+  /** Relative error from which on a material that has to be tabulated for drawing is not tabulated more finely; default
+   * 0.02. */
+  void SetResamplingTolerance(double tolerance);
+  double GetResamplingTolerance();
+  ///@}
+
+  /** Why the last drawing shows no material, in one line; empty when all went well. */
+  std::string GetErrorText();
+
+  int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
+
+ protected:
+  vtkBRDFSurfaceRepresentation();
+  ~vtkBRDFSurfaceRepresentation() override;
+
+ private:
+  vtkBRDFSurfaceRepresentation(const vtkBRDFSurfaceRepresentation&) = delete;
+  void operator=(const vtkBRDFSurfaceRepresentation&) = delete;
+
+  void TakePiece(vtkDataObject* piece);
+  void ReadMaterial(vtkPolyData* surface);
+
+  vtkNew<vtkBRDFPolyDataMapper> BRDFMapper;
+  vtkNew<vtkBRDFEnvironment> Environment;
+  vtkNew<vtkBRDF> Material;
+  std::string EnvironmentFile;
+  std::string ErrorText;
+  vtkDataObject* Drawn = nullptr;  // the piece that the mapper has, not owned: compared only
+  vtkMTimeType DrawnTime = 0;
+};
+#endif

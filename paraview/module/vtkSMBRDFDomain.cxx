@@ -1,0 +1,33 @@
+#include "vtkSMBRDFDomain.h"
+
+#include "vtkDataObject.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMInputProperty.h"
+#include "vtkSMSourceProxy.h"
+
+vtkStandardNewMacro(vtkSMBRDFDomain);
+
+namespace {
+bool MakesBRDF(vtkSMSourceProxy* source, unsigned int port) {
+  source->CreateOutputPorts();
+  vtkPVDataInformation* data = source->GetDataInformation(port);
+  return data && data->GetDataSetType() == VTK_DATA_OBJECT &&
+         data->GetAttributeInformation(vtkDataObject::FIELD)->GetArrayInformation("vtkBRDF");
+}
+}  // namespace
+
+int vtkSMBRDFDomain::IsInDomain(vtkSMProperty* property) {
+  auto* input = vtkSMInputProperty::SafeDownCast(property);
+  if (!input) {
+    return 0;
+  }
+  for (unsigned int i = 0; i < input->GetNumberOfUncheckedProxies(); ++i) {
+    auto* source = vtkSMSourceProxy::SafeDownCast(input->GetUncheckedProxy(i));
+    if (!source || !MakesBRDF(source, input->GetUncheckedOutputPortForConnection(i))) {
+      return 0;
+    }
+  }
+  return 1;
+}

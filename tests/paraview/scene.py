@@ -1,0 +1,172 @@
+"""Run by pvpython and pvbatch: pipelines of the plugin, what they give, and their pictures.
+
+usage: scene.py FOLDER draw [SERVER_URL [remote]]     draws FOLDER/sphere.png, FOLDER/lobe.png, and saves the state
+       scene.py FOLDER reopen STATE PICTURE           opens a state file and draws its sphere
+       scene.py FOLDER proxies                        makes and updates every proxy
+
+FOLDER/task.json says what to draw; results go to FOLDER/result.json.
+"""
+
+import json
+import os
+import sys
+
+import paraview.simple as simple
+from paraview import servermanager
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+FOLDER, WHAT, *REST = sys.argv[1:]
+with open(os.path.join(FOLDER, "task.json")) as file:
+    TASK = json.load(file)
+
+
+def path(name):
+    return os.path.join(FOLDER, name)
+
+
+def result(**values):
+    with open(path("result.json"), "w") as file:
+        json.dump(values, file)
+
+
+def field(source, name):
+    """A string of the field data, which describes the BRDF."""
+    array = source.GetDataInformation(0).GetFieldDataInformation().GetArrayInformation(name)
+    return array.GetStringValue(0) if array else None
+
+
+def look_from(view, camera):
+    view.CameraPosition = camera["position"]
+    view.CameraFocalPoint = camera["focal_point"]
+    view.CameraViewUp = camera["view_up"]
+    view.CameraViewAngle = camera["view_angle"]
+
+
+def save(view, name):
+    simple.SaveScreenshot(path(name), view, ImageResolution=TASK["size"], TransparentBackground=0)
+
+
+def plain_view(name):
+    view = simple.CreateView("RenderView", registrationName=name)
+    view.ViewSize = TASK["size"]
+    view.UseColorPaletteForBackground = 0
+    view.Background = [0, 0, 0]
+    view.OrientationAxesVisibility = 0
+    return view
+
+
+def draw():
+    if REST:
+        host, port = REST[0].split(":")
+        simple.Connect(host, int(port))
+        if REST[1:] == ["remote"]:
+            simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
+        simple.LoadPlugin(TASK["plugin"], remote=True, ns=simple.__dict__)
+        simple.LoadPlugin(TASK["plugin"], remote=False, ns=simple.__dict__)
+    target = simple.OpenDataFile(TASK["target"])
+    fit = simple.BRDFFit(registrationName="fit", Input=target, **TASK["fit"])
+    lobe = simple.BRDFLobe(registrationName="lobe", Input=fit, ThetaI=30.0)
+    shape = simple.BRDFObject(Object="sphere")
+    surface = simple.BRDFSurfaceMaterial(registrationName="surface", Input=shape, Material=fit)
+    view = plain_view("sphere")
+    shown = simple.Show(surface, view)
+    shown.Representation = "BRDF under light"
+    shown.EnvironmentFile = TASK["environment"]
+    shown.EnvironmentSamples = TASK["samples"]
+    simple.Render(view)  # the first one moves the camera
+    look_from(view, TASK["camera"])
+    simple.Render(view)
+    save(view, "sphere.png")
+
+    other = plain_view("lobe")
+    simple.Show(lobe, other)
+    simple.ResetCamera(other)
+    simple.Render(other)
+    save(other, "lobe.png")
+
+    points = servermanager.Fetch(lobe)
+    simple.SaveState(path("state.pvsm"))
+    simple.SaveState(path("state.py"))
+    result(
+        reader=target.GetXMLName(),
+        fit=field(fit, "vtkBRDF"),
+        error=fit.GetDataInformation(0).GetFieldDataInformation().GetArrayInformation("error").GetComponentRange(0)[0],
+        points=vtk_to_numpy(points.GetPoints().GetData())[:: TASK["stride"]].tolist(),
+        count=points.GetNumberOfPoints(),
+        window=view.GetRenderWindow().GetClassName(),
+    )
+
+
+def reopen():
+    state, picture = REST
+    if state.endswith(".py"):
+        with open(path(state)) as file:
+            exec(compile(file.read(), state, "exec"), {"__name__": "state"})
+    else:
+        simple.LoadState(path(state))
+    view = simple.FindView("sphere")
+    save(view, picture)
+    result(fit=field(simple.FindSource("fit"), "vtkBRDF"))
+
+
+def make(name, inputs):
+    """One proxy with every input that it needs, updated."""
+    made = getattr(simple, name)(**inputs)
+    made.UpdatePipeline()
+    return made
+
+
+def proxies():
+    material = simple.BRDFMaterial(Material=TASK["material"])
+    material.UpdatePipeline()
+    table = simple.BRDFReader(FileName=TASK["target"])
+    table.UpdatePipeline()
+    spectral = simple.BRDFMaterial(Material=TASK["spectral"])
+    sphere = simple.BRDFObject(Object="sphere")
+    surface = {"Input": sphere, "Material": material}
+    special = {
+        "BRDFCells": {"Input": table},
+        "BRDFFillHoles": {"Input": table},
+        "BRDFHoleMap": {"Input": table},
+        "BRDFLobeSamples": {"Input": table},
+        "BRDFErrorMap": {"Input": material, "Reference": material},
+        "BRDFSpectrum": {"Input": spectral, "Directions": [30.0, 0.0, 30.0, 180.0, 0.0, 0.0, 60.0, 0.0]},
+        "BRDFFit": {"Input": table, "Lobes": "Lambertian", "Channels": "luminance", "MaximumTheta": 30.0},
+        "BRDFSurfaceMaterial": surface,
+    }
+    outputs = {}
+    for name in TASK["sources"]:
+        outputs[name] = field(make(name, {}), "vtkBRDF")
+    types = {}
+    for name in TASK["filters"]:
+        made = make(name, special.get(name, {"Input": material}))
+        ports = made.SMProxy.GetNumberOfOutputPorts()
+        types[name] = [made.GetDataInformation(k).GetDataClassName() for k in range(ports)]
+    for extension in TASK["extensions"]:
+        file = path("written" + extension)
+        simple.SaveData(file, proxy=material)
+        read = simple.OpenDataFile(file)
+        read.UpdatePipeline()
+        types["written" + extension] = [read.GetXMLName(), field(read, "vtkBRDF")]
+    types["plain.csv"] = [simple.OpenDataFile(path("plain.csv")).GetXMLName()]
+
+    fit = simple.BRDFFit(Input=table)
+    errors = simple.BRDFErrorMap(Input=material, Reference=material)
+    # Which inputs the user interface allows.
+    domain = fit.GetProperty("Input").SMProperty.GetDomain("input_type")
+    allowed = {}
+    for name, proxy in (("material", material), ("sphere", sphere), ("lobe", make("BRDFLobe", {"Input": material}))):
+        fit.GetProperty("Input").SMProperty.SetUncheckedInputConnection(0, proxy.SMProxy, 0)
+        allowed[name] = domain.IsInDomain(fit.GetProperty("Input").SMProperty)
+        fit.GetProperty("Input").SMProperty.RemoveAllUncheckedProxies()
+    result(
+        sources=outputs,
+        types=types,
+        metrics=fit.GetProperty("Metric").GetAvailable(),
+        optimizers=fit.GetProperty("Optimizer").GetAvailable(),
+        measures=errors.GetProperty("Measure").GetAvailable(),
+        allowed=allowed,
+    )
+
+
+{"draw": draw, "reopen": reopen, "proxies": proxies}[WHAT]()
