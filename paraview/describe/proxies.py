@@ -69,7 +69,6 @@ FILTERS = [
         },
         [MATERIAL, ("Second", 1, None, True)],
         groups=[LIGHT],
-        view="RenderView",
     ),
     Proxy(
         "BRDFLobeSamples",
@@ -85,7 +84,6 @@ FILTERS = [
         },
         [MATERIAL, ("Model", 1, None, True)],
         groups=[LIGHT],
-        view="RenderView",
     ),
     Proxy(
         "BRDFSlice",
@@ -103,7 +101,6 @@ FILTERS = [
         },
         [MATERIAL],
         groups=[("Fixed angles (degrees)", ["ThetaI", "ThetaO", "ThetaH", "ThetaD", "PhiI", "Phi", "PhiH", "PhiD"], None)],
-        view="RenderView",
     ),
     Proxy(
         "BRDFCurve",
@@ -149,11 +146,10 @@ FILTERS = [
         },
         [MATERIAL, ("Reference", 1, None, False)],
         outputs=["Errors", "Histogram", "Worst"],
-        view="RenderView",
     ),
     Proxy("BRDFTabulate", "vtkBRDFTabulate", {"Cells": {"low": 2, "high": 1024}, "Reciprocal": {}}, [MATERIAL]),
     Proxy("BRDFCells", "vtkBRDFCells", {}, [MATERIAL]),
-    Proxy("BRDFHoleMap", "vtkBRDFHoleMap", {"XAxis": {}, "YAxis": {}}, [MATERIAL], view="RenderView"),
+    Proxy("BRDFHoleMap", "vtkBRDFHoleMap", {"XAxis": {}, "YAxis": {}}, [MATERIAL]),
     Proxy(
         "BRDFFillHoles",
         "vtkBRDFFillHoles",
@@ -204,6 +200,5 @@ FILTERS = [
         [("Input", 0, "vtkPolyData", False), ("Material", 1, None, False)],
         text="A surface that carries its material to where it is drawn: in triangles, with normals (splitting edges "
         'sharper than 40 degrees) and tangents where it had none. The representation "BRDF under light" draws it.',
-        view="RenderView",
     ),
 ]

@@ -12,7 +12,7 @@ import os
 import sys
 
 import paraview.simple as simple
-from paraview import servermanager
+from paraview import servermanager, smstate
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 FOLDER, WHAT, *REST = sys.argv[1:]
@@ -86,7 +86,8 @@ def draw():
 
     points = servermanager.Fetch(lobe)
     simple.SaveState(path("state.pvsm"))
-    simple.SaveState(path("state.py"))
+    with open(path("state.py"), "w") as file:
+        file.write(smstate.get_state())
     result(
         reader=target.GetXMLName(),
         fit=field(fit, "vtkBRDF"),
@@ -104,7 +105,8 @@ def reopen():
             exec(compile(file.read(), state, "exec"), {"__name__": "state"})
     else:
         simple.LoadState(path(state))
-    view = simple.FindView("sphere")
+    surface = simple.FindSource("surface")  # states as Python name the views anew
+    (view,) = [v for v in simple.GetViews() if any(getattr(r, "Input", None) == surface for r in v.Representations)]
     save(view, picture)
     result(fit=field(simple.FindSource("fit"), "vtkBRDF"))
 
