@@ -148,6 +148,8 @@ FILTERS = [
         outputs=["Errors", "Histogram", "Worst"],
     ),
     Proxy("BRDFTabulate", "vtkBRDFTabulate", {"Cells": {"low": 2, "high": 1024}, "Reciprocal": {}}, [MATERIAL]),
+    Proxy("BRDFFromTable", "vtkBRDFFromTable", {"Description": {}}, [("Input", 0, "vtkImageData", False)]),
+    Proxy("BRDFFromSamples", "vtkBRDFFromSamples", {"Isotropic": {}, "Description": {}}, [("Input", 0, "vtkTable", False)]),
     Proxy("BRDFCells", "vtkBRDFCells", {}, [MATERIAL]),
     Proxy("BRDFHoleMap", "vtkBRDFHoleMap", {"XAxis": {}, "YAxis": {}}, [MATERIAL]),
     Proxy(

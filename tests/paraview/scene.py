@@ -118,6 +118,15 @@ def make(name, inputs):
     return made
 
 
+SAMPLES = """
+import numpy as np
+wi = np.array([[0.6, 0, 0.8], [0, 0, 1], [0, 0.6, 0.8], [0.6, 0, 0.8]])
+output.RowData.append(wi, "wi")
+output.RowData.append(wi[::-1].copy(), "wo")
+output.RowData.append(np.full(4, 0.1), "value")
+"""
+
+
 def proxies():
     material = simple.BRDFMaterial(Material=TASK["material"])
     material.UpdatePipeline()
@@ -125,7 +134,7 @@ def proxies():
     table.UpdatePipeline()
     spectral = simple.BRDFMaterial(Material=TASK["spectral"])
     sphere = simple.BRDFObject(Object="sphere")
-    surface = {"Input": sphere, "Material": material}
+    samples = simple.ProgrammableSource(OutputDataSetType="vtkTable", Script=SAMPLES)
     special = {
         "BRDFCells": {"Input": table},
         "BRDFFillHoles": {"Input": table},
@@ -134,7 +143,9 @@ def proxies():
         "BRDFErrorMap": {"Input": material, "Reference": material},
         "BRDFSpectrum": {"Input": spectral, "Directions": [30.0, 0.0, 30.0, 180.0, 0.0, 0.0, 60.0, 0.0]},
         "BRDFFit": {"Input": table, "Lobes": "Lambertian", "Channels": "luminance", "MaximumTheta": 30.0},
-        "BRDFSurfaceMaterial": surface,
+        "BRDFFromTable": {"Input": make("BRDFTabulate", {"Input": material, "Cells": [18, 9, 9]})},
+        "BRDFFromSamples": {"Input": samples},
+        "BRDFSurfaceMaterial": {"Input": sphere, "Material": material},
     }
     outputs = {}
     for name in TASK["sources"]:
