@@ -27,7 +27,8 @@ std::string overview() {
   text += table.text() + "\n\n";
   text +=
       "A material is a file in any supported format (file#3 or file#name picks one of several), an expression such as\n"
-      "\"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\", or preset:NAME.\n\n"
+      "\"(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2, ior=1.5)\", preset:NAME, or program:COMMAND (another program's\n"
+      "values; brdf plugins lists this and further kinds).\n\n"
       "Every command takes --json FILE (- for standard output), --quiet, --model-path DIR (lobes of your own) and\n"
       "--assume KEY=VALUE (what measured files mean, e.g. quantity=brdf_cos: see a command's --help). Angles are in\n"
       "degrees, values in 1/sr without the cosine. Exit code: 0 success, 1 the request could not be met, 2 "

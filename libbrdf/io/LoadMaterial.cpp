@@ -2,6 +2,7 @@
 #include <brdf/base/File.h>
 #include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
+#include <brdf/io/BuiltInKinds.h>
 #include <brdf/io/Container.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/io/LoadXml.h>
@@ -80,7 +81,7 @@ LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view whic
 }
 
 std::vector<MaterialKind>& kinds() {
-  static std::vector<MaterialKind> all;
+  static std::vector<MaterialKind> all = {programKind()};
   return all;
 }
 

@@ -26,6 +26,7 @@ FILES = {
                        '--grid spherical:15 --format brdflab-text --quiet',
     "fit.vtkhdf": 'brdf convert "(0.2,0.02,0.03)*Lambertian + 0.05*GGX(alpha=0.2)" fit.vtkhdf --quiet',
     "lamp.csv": 'printf "380,1\\n780,3\\n" > lamp.csv',
+    "lambert_phong.py": "sed -n '/^```py$/,/^```$/{//!p}' docs/external-programs.md > lambert_phong.py",
     "mine.xml": 'cp docs/examples/lobes/SatinPaint.xml mine.xml',
 }
 
