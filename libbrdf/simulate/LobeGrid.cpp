@@ -4,6 +4,26 @@
 
 namespace brdf {
 
+namespace {
+
+/// The bins of a ring taken together.
+struct RingSum {
+  RaySums sums{1};
+  double measure = 0;
+
+  void add(const RaySums& bins, std::size_t entry, double solidAngle) {
+    sums.sum[0] += bins.sum[entry];
+    sums.square[0] += bins.square[entry];
+    measure += solidAngle;
+  }
+  Estimate value(std::uint64_t rays) const {
+    const Estimate mean = sums.mean(0, rays);
+    return {mean.value / measure, mean.error / measure};
+  }
+};
+
+}  // namespace
+
 Estimate lobeValue(const RaySums& sums, const OutgoingBins& bins, std::uint64_t rays, std::size_t channel,
                    std::size_t bin) {
   const double measure = bins.projectedSolidAngles()[bin];
@@ -25,6 +45,7 @@ void LobeGrid::set(const RaySums& sums, const OutgoingBins& bins, std::uint64_t 
                    std::size_t phiI) {
   const GridLayout& layout = data.layout;
   const std::size_t cells = layout.cells();
+  const bool isotropic = layout.find(AxisQuantity::PhiI) == layout.axes.size();
   // Of each bin the cell: the outgoing axes keep their order, and the axes of the light stand still.
   cells_.resize(bins.count());
   for (std::size_t b = 0; b < bins.count(); ++b) {
@@ -50,12 +71,18 @@ void LobeGrid::set(const RaySums& sums, const OutgoingBins& bins, std::uint64_t 
       sum += sums.sum[c * bins.count() + b];
       square += sums.square[c * bins.count() + b];
     }
+    // Normal incidence on a surface that is turned at random: azimuths differ by chance only, and look-ups of a grid
+    // take one of them there.
+    std::vector<RingSum> rings(isotropic && bins.thetaI() == 0 ? bins.rings() : 0);
+    for (std::size_t b = 0; b < bins.count() && !rings.empty(); ++b)
+      rings[bins.ring(b)].add(sums, c * bins.count() + b, bins.projectedSolidAngles()[b]);
     const double typical = sum > 0 ? square / sum / static_cast<double>(rays) : 0;
     for (std::size_t b = 0; b < bins.count(); ++b) {
       const std::size_t cell = cells_[b];
       if (!above_[cell]) continue;
-      Estimate value = lobeValue(sums, bins, rays, c, b);
-      if (value.value == 0) value.error = typical / bins.projectedSolidAngles()[b];
+      Estimate value = rings.empty() ? lobeValue(sums, bins, rays, c, b) : rings[bins.ring(b)].value(rays);
+      if (value.value == 0)
+        value.error = typical / (rings.empty() ? bins.projectedSolidAngles()[b] : rings[bins.ring(b)].measure);
       data.values[c * cells + cell] = value.value;
       data.standardError[c * cells + cell] = value.error;
       data.states[cell] = stateByte(CellState::Measured);

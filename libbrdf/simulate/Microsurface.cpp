@@ -56,14 +56,6 @@ void checkShape(const SpherePacking& packing, const std::string& where) {
 
 void checkShape(const HeightField& field, const std::string& where) { field.check(where); }
 
-/// How many facets a shape speaks of.
-std::size_t facetsNeeded(const Microsurface& surface) {
-  if (const auto* packing = std::get_if<SpherePacking>(&surface.shape)) return packing->substrate ? 2 : 1;
-  if (const auto* mesh = std::get_if<TiledMesh>(&surface.shape); mesh && !mesh->facets.empty())
-    return std::size_t{1} + *std::ranges::max_element(mesh->facets);
-  return 1;
-}
-
 void checkFacet(const Facet& facet, std::size_t channels, const std::string& where) {
   const auto check = [&](const char* name, const std::vector<double>& numbers, bool needed, double least, double most) {
     if (numbers.empty() ? needed : numbers.size() != 1 && numbers.size() != channels)
@@ -96,10 +88,17 @@ void checkFacet(const Facet& facet, std::size_t channels, const std::string& whe
 
 }  // namespace
 
+std::size_t Microsurface::facetsNeeded() const {
+  if (const auto* packing = std::get_if<SpherePacking>(&shape)) return packing->substrate ? 2 : 1;
+  if (const auto* mesh = std::get_if<TiledMesh>(&shape); mesh && !mesh->facets.empty())
+    return std::size_t{1} + *std::ranges::max_element(mesh->facets);
+  return 1;
+}
+
 void Microsurface::check(const std::string& where) const {
   std::visit([&](const auto& s) { checkShape(s, where); }, shape);
   if (channels.count() == 0) fail("no channels", where, "0", "1 or more");
-  const std::size_t needed = facetsNeeded(*this);
+  const std::size_t needed = facetsNeeded();
   if (facets.size() < needed || facets.size() > 256)
     fail("number of facets", where, std::to_string(facets.size()), std::to_string(needed) + " to 256");
   std::size_t dielectrics = 0;

@@ -63,6 +63,8 @@ struct Microsurface {
   Channels channels{};
   std::string description{};  ///< one line: kind and parameters
 
+  /// How many facets the shape speaks of: of a packing with its plane 2, of a mesh what TiledMesh::facets asks for.
+  BRDF_EXPORT std::size_t facetsNeeded() const;
   /// Throws Error::Kind::Value, naming `where`, for what cannot be traced.
   BRDF_EXPORT void check(const std::string& where) const;
 };

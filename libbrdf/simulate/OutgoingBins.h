@@ -26,6 +26,10 @@ class BRDF_EXPORT OutgoingBins {
   /// layout's symmetry folds onto it are one. They sum to pi where the axes reach everywhere.
   const std::vector<double>& projectedSolidAngles() const { return measures_; }
 
+  /// Rings of bins about the pole (the normal, or the mirror direction), and the one that a bin belongs to.
+  std::size_t rings() const { return polar_.edges.size() - 1; }
+  std::size_t ring(std::size_t bin) const { return bin / polar_.stride % rings(); }
+
   double thetaI() const { return thetaI_; }
   double phiI() const { return phiI_; }
   /// Specular: by how much the pole's polar angle exceeds theta_i (GridLayout::specularOffsets); else 0.

@@ -6,8 +6,9 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models",  "info",  "eval", "convert", "export", "fit",     "batch",
-                                            "compare", "check", "lobe", "slice", "error",   "render", "baseline", "plugins"};
+const std::vector<std::string> kCommands = {"models", "info",     "eval",     "convert", "export", "fit",
+                                            "batch",  "compare",  "check",    "lobe",    "slice",  "error",
+                                            "render", "simulate", "baseline", "plugins"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
   return command == "lobe" || command == "slice" || command == "error" || command == "render" || command == "baseline";
@@ -82,5 +83,6 @@ TEST_P(QuietCommand, PrintsNothing) {
 
 INSTANTIATE_TEST_SUITE_P(Help, Command, ::testing::ValuesIn(kCommands), commandName);
 INSTANTIATE_TEST_SUITE_P(Help, QuietCommand,
-                         ::testing::Values("models", "info", "eval", "convert", "fit", "batch", "compare", "check"),
+                         ::testing::Values("models", "info", "eval", "convert", "fit", "batch", "compare", "check",
+                                           "simulate"),
                          commandName);
