@@ -2,6 +2,7 @@
 // evaluation on these problems (examples/nist.cc): Levenberg-Marquardt, dense QR, tolerances at machine precision.
 #include <ceres/ceres.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "../tests/fit/NistProblems.h"

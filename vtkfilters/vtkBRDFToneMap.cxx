@@ -9,6 +9,8 @@
 
 #include <brdf/io/ToneMap.h>
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkBRDFToneMap);
 
 int vtkBRDFToneMap::RequestInformation(vtkInformation*,

@@ -1,5 +1,6 @@
 #include <brdf/io/Hdf5Handles.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 

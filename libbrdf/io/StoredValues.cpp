@@ -1,5 +1,6 @@
 #include <brdf/io/StoredValues.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <numeric>

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using nlohmann::json;
 
 #ifdef BRDF_HAS_PICTURES

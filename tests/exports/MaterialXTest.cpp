@@ -2,6 +2,7 @@
 // albedos by quadrature here.
 #include "Renderer.h"
 
+#include <algorithm>
 #include <map>
 #include <pugixml.hpp>
 

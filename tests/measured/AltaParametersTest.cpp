@@ -2,6 +2,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 
+#include <algorithm>
 #include <random>
 
 #include "MeasuredSupport.h"

@@ -2,6 +2,7 @@
 // that editors leave, and damage of every kind.
 #include <brdf/geometry/Directions.h>
 
+#include <algorithm>
 #include <random>
 
 #include "MeasuredSupport.h"

@@ -2,6 +2,8 @@
 // Environment light by a plain sum over all texels, independent of how the library reads and draws maps.
 #include "RenderScene.h"
 
+#include <algorithm>
+
 namespace rendertest {
 
 /// A map cut into `pieces` x `pieces` parts a texel: the direction of each, and its radiance, interpolated between the

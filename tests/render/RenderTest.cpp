@@ -7,6 +7,8 @@
 #include <vtkPolyData.h>
 #include <vtkSphereSource.h>
 
+#include <algorithm>
+
 namespace {
 
 using rendertest::Render;

@@ -6,6 +6,8 @@
 #include <vtkImageData.h>
 #include <vtkPNGWriter.h>
 
+#include <algorithm>
+
 namespace brdf::app {
 namespace {
 
