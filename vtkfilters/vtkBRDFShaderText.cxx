@@ -378,7 +378,8 @@ std::string vtkBRDFShaderText::UniformText() const
   return text;
 }
 
-std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment environment) const
+std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(
+  Environment environment, bool draws) const
 {
   std::vector<Piece> pieces;
   pieces.push_back({ "formula prelude", brdf::Model::glslPrelude() });
@@ -430,11 +431,14 @@ std::vector<vtkBRDFShaderText::Piece> vtkBRDFShaderText::Pieces(Environment envi
   {
     pieces.push_back({ "environment light on the material", this->EnvironmentText() });
   }
-  if (unfiltered)
+  if (unfiltered || !draws)
   {
     pieces.push_back({ "drawing from the material", this->MixtureText() });
   }
-  add("brdf_surface.glsl");
+  if (draws)
+  {
+    add("brdf_surface.glsl");
+  }
   return pieces;
 }
 
@@ -442,9 +446,20 @@ std::string vtkBRDFShaderText::Text(Environment environment) const
 {
   std::string text;
   int number = 0;
-  for (const Piece& piece : this->Pieces(environment))
+  for (const Piece& piece : this->Pieces(environment, true))
   {
     text += "// " + piece.Name + "\n#line 1 " + std::to_string(number++) + "\n" + piece.Text + "\n";
+  }
+  return text;
+}
+
+std::string vtkBRDFShaderText::MaterialText() const
+{
+  std::string text =
+    "uniform float brdfShares[" + std::to_string(std::max<std::size_t>(this->Terms.size(), 1)) + "];\n";
+  for (const Piece& piece : this->Pieces(Environment::None, false))
+  {
+    text += "// " + piece.Name + "\n" + piece.Text + "\n";
   }
   return text;
 }

@@ -49,6 +49,10 @@ public:
   // #line, whose source number counts the pieces from 0.
   std::string Text(Environment environment) const;
 
+  // GLSL of the material alone, for a program of one's own: brdfValue(wi, wo) of all terms, brdfMaterialSample(wo, u) and
+  // brdfMaterialPdf(wi, wo) of their mixture by brdfShares.
+  std::string MaterialText() const;
+
   // Uniforms: brdfParameters (floats), brdfScales (3 floats a term), brdfSamples (1 integer a term), brdfShares (1
   // float a term).
   const std::vector<float>& Parameters() const { return this->ParameterValues; }
@@ -100,7 +104,7 @@ private:
   int AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before);
   std::string UniformText() const;
   std::string SamplerText(std::size_t index) const;
-  std::vector<Piece> Pieces(Environment environment) const;
+  std::vector<Piece> Pieces(Environment environment, bool draws) const;
   std::string TermText(std::size_t index) const;
   std::string ReflectedText(std::size_t index) const;
   std::string ValueText() const;
