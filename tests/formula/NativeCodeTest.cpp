@@ -2,6 +2,7 @@
 // operation, of few values alive at a time and of more than the processor has registers.
 #include <brdf/formula/Program.h>
 
+#include <algorithm>
 #include <bit>
 #include <random>
 
