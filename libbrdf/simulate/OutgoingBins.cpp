@@ -78,12 +78,35 @@ OutgoingBins::OutgoingBins(const GridLayout& layout, double thetaI, double phiI,
   // A direction at the end of the range is within it, however it rounds.
   if (polar_.edges.front() < 1e-14) polar_.edges.front() = -1;
   if (polar_.edges.back() > 1 - 1e-12) polar_.edges.back() = 2;
+  polar_.prepare();
+  azimuth_.prepare();
+}
+
+void OutgoingBins::Axis::prepare() {
+  const std::size_t inner = edges.size() - 1;
+  // The end edges may have been moved outwards for rounding: steps span what lies within.
+  first = std::max(edges.front(), -kPi * 4);
+  const double last = std::min(edges.back(), kPi * 4);
+  guide.resize(8 * inner + 1);
+  steps = static_cast<double>(guide.size() - 1) / (last - first);
+  for (std::size_t g = 0; g < guide.size(); ++g)
+    guide[g] = static_cast<std::uint32_t>(
+        std::upper_bound(edges.begin(), edges.end(), first + static_cast<double>(g) / steps) - edges.begin());
 }
 
 std::size_t OutgoingBins::Axis::find(double value) const {
-  const auto above = std::upper_bound(edges.begin(), edges.end(), value);
-  if (above == edges.begin() || above == edges.end()) return edges.size();
-  return static_cast<std::size_t>(above - edges.begin()) - 1;
+  if (!(value >= edges.front() && value < edges.back())) return edges.size();
+  // Within the step of the value there is seldom more than one edge; rounding may take the neighbouring step.
+  const double at = std::clamp((value - first) * steps, 0.0, static_cast<double>(guide.size() - 2));
+  const auto step = static_cast<std::size_t>(at);
+  std::size_t above = guide[step];
+  if (const std::size_t most = guide[step + 1]; most - above > 8)
+    above = static_cast<std::size_t>(std::upper_bound(edges.begin() + static_cast<std::ptrdiff_t>(above),
+                                                      edges.begin() + static_cast<std::ptrdiff_t>(most), value) -
+                                     edges.begin());
+  while (above < edges.size() - 1 && edges[above] <= value) ++above;
+  while (above > 1 && edges[above - 1] > value) --above;
+  return above - 1;
 }
 
 std::size_t OutgoingBins::find(const Direction& wo) const {

@@ -3,6 +3,7 @@
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/GridLayout.h>
 
+#include <cstdint>
 #include <vector>
 
 namespace brdf {
@@ -40,7 +41,10 @@ class BRDF_EXPORT OutgoingBins {
  private:
   struct Axis {
     std::vector<double> edges;  ///< of the cells: of a polar angle sin^2 of it (spherical) or of its half; radians
+    std::vector<std::uint32_t> guide;  ///< by equal steps of the range, how many edges are not above the step's start
+    double first = 0, steps = 0;       ///< of the range; steps a unit
     std::size_t stride = 1;
+    void prepare();
     std::size_t find(double value) const;  ///< edges.size() where none
   };
   double measure(double polar0, double polar1, double azimuth0, double azimuth1) const;

@@ -105,8 +105,12 @@ void CpuTransport::traceGroup(const RayBatch& batch, const OutgoingBins& bins, s
     path.owner = static_cast<std::uint32_t>(k);
     const double u = path.random.next(), v = path.random.next();
     path.ray.origin = scene_.above(u, v);
-    const double turn = batch.turning ? 2 * kPi * path.random.next() : 0;
-    const double c = std::cos(turn), s = std::sin(turn);
+    double c = 1, s = 0;
+    if (batch.turning) {
+      const double turn = 2 * kPi * path.random.next();
+      c = std::cos(turn);
+      s = std::sin(turn);
+    }
     group.turns[2 * k] = c;
     group.turns[2 * k + 1] = s;
     path.ray.direction = {c * group.incident[0] - s * group.incident[1], s * group.incident[0] + c * group.incident[1],

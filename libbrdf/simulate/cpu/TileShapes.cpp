@@ -10,8 +10,8 @@ namespace brdf {
 namespace {
 
 constexpr std::size_t kMostPrimitives = std::size_t{1} << 27;
-constexpr std::size_t kRepeatBelow = std::size_t{1} << 17;  ///< primitives up to which a block is made of several tiles
-constexpr double kReach = 16;  ///< heights that a block is long where it may be: rays at 86 degrees cross it once
+constexpr std::size_t kRepeatBelow = std::size_t{1} << 13;  ///< primitives up to which a block is made of several tiles
+constexpr double kReach = 8;  ///< heights that a block is long where it may be: rays at 83 degrees cross it once
 
 double lowestHeight(const HeightField& field) { return double(*std::ranges::min_element(field.heights)); }
 double highestHeight(const HeightField& field) { return double(*std::ranges::max_element(field.heights)); }
@@ -101,33 +101,39 @@ void TileBlock::checkCount(std::size_t primitives) {
 // ----- height fields
 // ---------------------------------------------------------------------------------------------------
 
-FieldTiles::FieldTiles(const HeightField& heights)
-    : block(heights.periodX(), heights.periodY(), lowestHeight(heights), highestHeight(heights),
-            2 * heights.columns * heights.rows),
-      field(heights),
-      columns(field.columns * block.tilesX + 2),
-      rows(field.rows * block.tilesY + 2) {
-  block.margin = std::min(field.spacingX, field.spacingY);
-  TileBlock::checkCount(2 * columns * rows);
+FieldTiles::FieldTiles(const HeightField& field)
+    : block(field.periodX(), field.periodY(), lowestHeight(field), highestHeight(field),
+            2 * field.columns * field.rows),
+      spacingX(field.spacingX),
+      spacingY(field.spacingY) {
+  block.margin = std::min(spacingX, spacingY);
+  const std::size_t across = field.columns * block.tilesX + 2, along = field.rows * block.tilesY + 2;
+  TileBlock::checkCount(2 * across * along);
+  columns = static_cast<std::uint32_t>(across);
+  rows = static_cast<std::uint32_t>(along);
+  heights.reserve((across + 1) * (along + 1));
+  for (std::size_t j = 0; j <= along; ++j)
+    for (std::size_t i = 0; i <= across; ++i)
+      heights.push_back(field.height((i + field.columns - 1) % field.columns, (j + field.rows - 1) % field.rows));
 }
 
 RTCGeometry FieldTiles::geometry(RTCDevice device) const {
+  const std::size_t nodes = heights.size(), cells = std::size_t{columns} * rows;
   RTCGeometry made = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* points = static_cast<float*>(rtcSetNewGeometryBuffer(made, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                             3 * sizeof(float), (columns + 1) * (rows + 1)));
-  auto* corners = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(made, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                      3 * sizeof(std::uint32_t), 2 * columns * rows));
+  auto* points = static_cast<float*>(
+      rtcSetNewGeometryBuffer(made, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), nodes));
+  auto* corners = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(made, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), 2 * cells));
   if (!points || !corners) return made;
-  for (std::size_t j = 0; j <= rows; ++j)
-    for (std::size_t i = 0; i <= columns; ++i) {
-      *points++ = static_cast<float>((double(i) - 1) * field.spacingX - block.middle[0]);
-      *points++ = static_cast<float>((double(j) - 1) * field.spacingY - block.middle[1]);
-      *points++ = static_cast<float>(double(height(i, j)) - block.middle[2]);
+  for (std::uint32_t j = 0; j <= rows; ++j)
+    for (std::uint32_t i = 0; i <= columns; ++i) {
+      *points++ = static_cast<float>((double(i) - 1) * spacingX - block.middle[0]);
+      *points++ = static_cast<float>((double(j) - 1) * spacingY - block.middle[1]);
+      *points++ = static_cast<float>(double(heights[std::size_t{j} * (columns + 1) + i]) - block.middle[2]);
     }
-  for (std::size_t j = 0; j < rows; ++j)
-    for (std::size_t i = 0; i < columns; ++i) {
-      const auto a = static_cast<std::uint32_t>(j * (columns + 1) + i), b = a + 1;
-      const auto d = static_cast<std::uint32_t>(a + columns + 1), c = d + 1;
+  for (std::uint32_t j = 0; j < rows; ++j)
+    for (std::uint32_t i = 0; i < columns; ++i) {
+      const std::uint32_t a = j * (columns + 1) + i, b = a + 1, d = a + columns + 1, c = d + 1;
       for (const std::uint32_t corner : {a, b, c, a, c, d}) *corners++ = corner;
     }
   return made;
@@ -135,17 +141,17 @@ RTCGeometry FieldTiles::geometry(RTCDevice device) const {
 
 void FieldTiles::resolve(const RTCRayHit& hit, const DoubleRay&, Meeting& meeting) const {
   // Exactly on the triangle of the field, whatever Embree's vertices were rounded to.
-  const std::size_t cell = hit.hit.primID / 2, i = cell % columns, j = cell / columns;
+  const std::uint32_t cell = hit.hit.primID / 2, j = cell / columns, i = cell - j * columns;
   const bool upper = hit.hit.primID & 1;
   const double u = double(hit.hit.u), v = double(hit.hit.v);
-  const double h00 = double(height(i, j)), h11 = double(height(i + 1, j + 1));
-  const double other = double(upper ? height(i, j + 1) : height(i + 1, j));
+  const float* const corner = heights.data() + std::size_t{j} * (columns + 1) + i;
+  const double h00 = double(corner[0]), h11 = double(corner[columns + 2]);
+  const double other = double(corner[upper ? columns + 1 : 1]);
   // Corners (0,0), (1,0), (1,1) or (0,0), (1,1), (0,1): u and v belong to the second and third.
   const double x = upper ? u : u + v, y = upper ? u + v : v;
   const double alongX = upper ? h11 - other : other - h00, alongY = upper ? other - h00 : h11 - other;
-  meeting.position = {(double(i) - 1 + x) * field.spacingX, (double(j) - 1 + y) * field.spacingY,
-                      h00 + alongX * x + alongY * y};
-  const double sx = alongX / field.spacingX, sy = alongY / field.spacingY, scale = 1 / std::sqrt(1 + sx * sx + sy * sy);
+  meeting.position = {(double(i) - 1 + x) * spacingX, (double(j) - 1 + y) * spacingY, h00 + alongX * x + alongY * y};
+  const double sx = alongX / spacingX, sy = alongY / spacingY, scale = 1 / std::sqrt(1 + sx * sx + sy * sy);
   meeting.normal = {-sx * scale, -sy * scale, scale};
   meeting.facet = 0;
   meeting.offset = 2 * block.rounding;

@@ -42,16 +42,14 @@ struct DoubleRay {
 };
 
 struct FieldTiles {
-  explicit FieldTiles(const HeightField& heights);
+  explicit FieldTiles(const HeightField& field);
   RTCGeometry geometry(RTCDevice device) const;
   void resolve(const RTCRayHit& hit, const DoubleRay& ray, Meeting& meeting) const;
 
   TileBlock block;
-  HeightField field;
-  std::size_t columns, rows;                          ///< cells of the block with its margin of one cell around
-  float height(std::size_t i, std::size_t j) const {  ///< of a node of the block, the margin's counted
-    return field.height((i + field.columns - 1) % field.columns, (j + field.rows - 1) % field.rows);
-  }
+  double spacingX, spacingY;
+  std::uint32_t columns, rows;  ///< cells of the block with its margin of one cell around
+  std::vector<float> heights;   ///< at the nodes of these cells, row by row
 };
 
 struct MeshTiles {
