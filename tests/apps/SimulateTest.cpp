@@ -42,6 +42,23 @@ TEST(Simulate, APerfectMirrorIsASpecularComponent) {
   EXPECT_EQ(components.specular[0].values, (std::vector<double>{1, 1}));
 }
 
+#ifdef BRDF_HAS_PICTURES
+TEST(Simulate, TheGraphicsDeviceAnswersLikeTheProcessor) {
+  const auto folder = scratchFolder();
+  std::vector<json> reports;
+  for (const char* backend : {"cpu", "gpu"})
+    reports.push_back(reportOf(folder, {"simulate", "gaussian(rms=0.3, correlation=2)", "--facet",
+                                        "conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)", "--theta-i", "60", "--tolerance",
+                                        "0.2", "--backend", backend, "--out", std::string(backend) + ".vtkhdf"}));
+  for (std::size_t c = 0; c < 3; ++c) {
+    const json &cpu = reports[0]["directions"][0]["reflected"][c], &gpu = reports[1]["directions"][0]["reflected"][c];
+    EXPECT_GT(gpu["value"].get<double>(), 0.3);
+    EXPECT_NEAR(cpu["value"].get<double>(), gpu["value"].get<double>(),
+                5 * std::hypot(cpu["error"].get<double>(), gpu["error"].get<double>()));
+  }
+}
+#endif
+
 TEST(Simulate, AnInterruptKeepsTheDirectionsThatAreDone) {
   const auto folder = scratchFolder();
   // The first direction of light takes no time: all of it is specular.

@@ -157,6 +157,7 @@ void run(const Output& output, const Values& values) {
   options.transport.bounces = values.bounces;
   options.seed = values.seed;
   options.backend = values.backend;
+  if (values.backend != "cpu") pictures();  // the module that knows OpenGL, and its backend
   const Interruptible untilSaved;
   const LayoutChoice choice = chooseLayout(*makeTransport(values.backend, made.surface, options.transport),
                                            made.surface.channels.count(), layoutRequest(values));
@@ -259,7 +260,7 @@ Command simulateCommand() {
         arguments.option("--bounces", values->bounces, {1, 1e6},
                          "After so many facets the rest of a ray counts as lost");
         arguments.option("--seed", values->seed, {0, 1e12}, "The same seed gives the same table");
-        arguments.option("--backend", values->backend, "NAME", "cpu (Embree, all threads) or gpu [cpu]");
+        arguments.option("--backend", values->backend, "NAME", "cpu (Embree, all threads) or gpu (OpenGL 3.2) [cpu]");
         arguments.option("--out", values->out, "FILE", "table.vtkhdf, or any format that holds a table");
       },
       [values](const Output& output) { run(output, *values); }};
