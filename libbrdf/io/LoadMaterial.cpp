@@ -81,7 +81,7 @@ LoadedMaterial loadFile(const std::filesystem::path& path, std::string_view whic
 }
 
 std::vector<MaterialKind>& kinds() {
-  static std::vector<MaterialKind> all = {programKind()};
+  static std::vector<MaterialKind> all = {programKind(), waveKind()};
   return all;
 }
 

@@ -67,6 +67,7 @@ class GaussianSpectrum : public Spectrum {
   double autocovariance(double x, double y) const override {
     return rms_ * rms_ * std::exp(-square(x / lengthX_) - square(y / lengthY_));
   }
+  std::optional<Gaussian> gaussian() const override { return Gaussian{rms_, lengthX_, lengthY_}; }
   bool isotropic() const override { return lengthX_ == lengthY_; }
   std::string description() const override {
     return "gaussian(rms=" + formatNumber(rms_) + ", correlation=" + formatNumber(lengthX_) +

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +34,12 @@ class BRDF_EXPORT Spectrum {
   virtual double variance() const = 0;
   /// Autocovariance at the distance (x, y) um, um^2. Throws Error::Kind::Value where the variance is infinite.
   virtual double autocovariance(double x, double y) const = 0;
+
+  /// What a Gaussian autocovariance is made of (gaussianSpectrum), or nothing.
+  struct Gaussian {
+    double rms, correlationX, correlationY;  ///< um
+  };
+  virtual std::optional<Gaussian> gaussian() const { return {}; }
 
   /// Whether the PSD depends on the length of (fx, fy) only.
   virtual bool isotropic() const = 0;
