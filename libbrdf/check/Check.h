@@ -23,7 +23,7 @@ struct Check {
 /// All checks of one model or material.
 struct Audit {
   std::string name;
-  std::string kind;  ///< "model", "lobes" or "measured"
+  std::string kind;  ///< "model", "lobes", "measured", or "other": neither lobes nor samples
   std::vector<Check> checks;
 
   BRDF_EXPORT bool passed() const;
@@ -70,7 +70,8 @@ BRDF_EXPORT Audit checkModel(const Model& model, const CheckOptions& options = {
 /// and all checks of a model for each lobe at its own parameters, named "lobe 1: ..." (channels with parameters of
 /// their own are all covered). Measured data: "invalid" (samples without a value, nothing demanded), non_negative
 /// samples, finite, reciprocity (demanded where the data are reciprocal by construction), energy, and the sampler's
-/// checks with the tabulated sampler that renderers use.
+/// checks with the tabulated sampler that renderers use. Any other BRDF: the same without those of samples; energy is
+/// not demanded of what declares not to keep it (material/DeclaresEnergy.h).
 BRDF_EXPORT Audit checkMaterial(const BrdfPointer& material, const std::string& name, const CheckOptions& options = {});
 
 /// Runs GLSL: `functions` (GLSL 3.30 without #version) and up to four float `expressions` over the names of the

@@ -1,9 +1,11 @@
 #include <brdf/check/Tally.h>
 #include <brdf/material/ChannelView.h>
+#include <brdf/material/DeclaresEnergy.h>
 #include <brdf/material/SampleSet.h>
 #include <brdf/sampling/SampledBrdf.h>
 
 #include <algorithm>
+#include <optional>
 
 namespace brdf {
 namespace {
@@ -42,12 +44,15 @@ BrdfPointer fewChannels(const BrdfPointer& material) {
   return selectedChannels(material, chosen);
 }
 
-/// The loosest that a lobe declares about the albedo.
-const Declaration* declaredEnergy(const LobeSum* sum) {
-  const Declaration* loosest = nullptr;
+/// The loosest that a material or one of its lobes declares about the albedo.
+std::optional<Declaration> declaredEnergy(const Brdf& material, const LobeSum* sum) {
+  std::optional<Declaration> loosest;
+  if (const auto* declares = dynamic_cast<const DeclaresEnergy*>(&material))
+    if (const std::string note = declares->energyNote(); !note.empty())
+      loosest = Declaration{.check = "energy", .reason = note};
   for (std::size_t k = 0; sum && k < sum->lobes().size(); ++k)
     if (const Declaration* own = sum->lobes()[k].model->declared("energy"))
-      if (!loosest || own->allowed > loosest->allowed) loosest = own;
+      if (!loosest || own->allowed > loosest->allowed) loosest = *own;
   return loosest;
 }
 
@@ -63,7 +68,7 @@ std::vector<ParameterCase> channelCases(const Lobe& lobe, std::size_t channels) 
 Audit checkMaterial(const BrdfPointer& material, const std::string& name, const CheckOptions& options) {
   const auto* lobes = dynamic_cast<const LobeSum*>(material.get());
   const bool measured = material->samples() != nullptr;
-  Audit audit{name, lobes ? "lobes" : "measured", {}};
+  Audit audit{name, lobes ? "lobes" : measured ? "measured" : "other", {}};
   if (measured) checkSamples(*material->samples(), audit.checks);
 
   // Interpolated data cost a thousand times more than formulas.
@@ -79,8 +84,9 @@ Audit checkMaterial(const BrdfPointer& material, const std::string& name, const 
   tallyReciprocity(*material, pairs, "", measured ? 1e-9 : 0, reciprocity);
   for (const Tally* tally : {&finite, &negative, &reciprocity}) audit.checks.push_back(tally->result());
 
-  const BrdfPointer sampled = measured ? withSampler(material) : material;
-  SamplerTallies sampler(1, declaredEnergy(lobes));
+  const BrdfPointer sampled = lobes ? material : withSampler(material);
+  const std::optional<Declaration> energy = declaredEnergy(*material, lobes);
+  SamplerTallies sampler(1, energy ? &*energy : nullptr);
   tallySampler(*sampled, *fewChannels(material), "", options, sampler);
   sampler.into(audit.checks);
 

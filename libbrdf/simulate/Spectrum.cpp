@@ -80,23 +80,30 @@ class GaussianSpectrum : public Spectrum {
 
 class FractalSpectrum : public Spectrum {
  public:
-  FractalSpectrum(double a, double exponent) : a_(a), exponent_(exponent) {}
+  FractalSpectrum(double a, double exponent, double corner) : a_(a), exponent_(exponent), corner_(corner) {}
 
   void evaluate(const double* fx, const double* fy, double* psd, std::size_t count) const override {
-    for (std::size_t k = 0; k < count; ++k) psd[k] = a_ == 0 ? 0 : a_ * std::pow(std::hypot(fx[k], fy[k]), -exponent_);
+    for (std::size_t k = 0; k < count; ++k)
+      psd[k] = a_ == 0 ? 0 : a_ * std::pow(std::max(std::hypot(fx[k], fy[k]), corner_), -exponent_);
   }
-  double variance() const override { return a_ == 0 ? 0 : kInfinity; }
+  double variance() const override {
+    if (a_ == 0) return 0;
+    // A disk of the corner's value, and the power law outside.
+    if (!(exponent_ > 2 && corner_ > 0)) return kInfinity;
+    return kPi * a_ * std::pow(corner_, 2 - exponent_) * (1 + 2 / (exponent_ - 2));
+  }
   double autocovariance(double, double) const override {
-    demand(a_ == 0, "no autocovariance: infinite variance", "spectrum fractal", a_, "abc, gaussian or measured");
+    demand(a_ == 0, "no autocovariance of a fractal spectrum", "spectrum fractal", a_, "abc or gaussian");
     return 0;
   }
   bool isotropic() const override { return true; }
   std::string description() const override {
-    return "fractal(a=" + formatNumber(a_) + ", exponent=" + formatNumber(exponent_) + ")";
+    return "fractal(a=" + formatNumber(a_) + ", exponent=" + formatNumber(exponent_) +
+           ", corner=" + formatNumber(corner_) + ")";
   }
 
  private:
-  double a_, exponent_;
+  double a_, exponent_, corner_;
 };
 
 class SpectrumSum : public Spectrum {
@@ -194,18 +201,21 @@ SpectrumKind gaussianKind() {
 }
 
 SpectrumKind fractalKind() {
-  SpectrumKind kind{"fractal", "Power law a / f^exponent, infinite at f = 0", {}, {}, {}, {}};
+  SpectrumKind kind{"fractal", "Power law a / max(f, corner)^exponent", {}, {}, {}, {}};
   kind.parameters = {
       record("a", "A", "um^(4-exponent)", "PSD at f = 1/um.", 0.01, 0, 1e12, 1e-8, 10),
       record("exponent", "n", "1", "Power of the frequency.", 2.5, 1e-3, 100, 1, 4),
+      record("corner", "f_0", "1/um", "Frequency below which it is flat; 0: nowhere, and infinite at 0.", 0.01, 0, 1e6,
+             1e-4, 1),
   };
   kind.references = {
       {"E. L. Church", 1988, "Fractal surface finish", "Appl. Opt. 27, 1518-1526", "10.1364/AO.27.001518", ""}};
   kind.make = [parameters = kind.parameters](const Call& call) {
     CallArguments arguments(call);
     const double a = arguments.number(parameters[0]), exponent = arguments.number(parameters[1]);
+    const double corner = arguments.number(parameters[2]);
     arguments.finish();
-    return fractalSpectrum(a, exponent);
+    return fractalSpectrum(a, exponent, corner);
   };
   return kind;
 }
@@ -248,11 +258,13 @@ SpectrumPointer gaussianSpectrum(double rms, double correlationX, double correla
   return std::make_shared<GaussianSpectrum>(rms, correlationX, correlationY);
 }
 
-SpectrumPointer fractalSpectrum(double a, double exponent) {
+SpectrumPointer fractalSpectrum(double a, double exponent, double corner) {
   demand(a >= 0 && std::isfinite(a), "a of the spectrum out of bounds", "spectrum fractal", a, ">= 0");
   demand(exponent > 0 && std::isfinite(exponent), "exponent of the spectrum out of bounds", "spectrum fractal",
          exponent, "> 0");
-  return std::make_shared<FractalSpectrum>(a, exponent);
+  demand(corner >= 0 && std::isfinite(corner), "corner of the spectrum out of bounds", "spectrum fractal", corner,
+         ">= 0 1/um");
+  return std::make_shared<FractalSpectrum>(a, exponent, corner);
 }
 
 SpectrumPointer sumOfSpectra(std::vector<SpectrumPointer> parts) {

@@ -59,9 +59,10 @@ BRDF_EXPORT SpectrumPointer abcSpectrum(double a, double b, double c);
 /// `rms` in um, >= 0; the correlation lengths (to 1/e) in um, > 0.
 BRDF_EXPORT SpectrumPointer gaussianSpectrum(double rms, double correlationX, double correlationY);
 
-/// Fractal: PSD = a / f^exponent, infinite at f = 0, with infinite variance. `a` in um^(4 - exponent), >= 0;
-/// `exponent` > 0. E. L. Church, "Fractal surface finish", Appl. Opt. 27, 1518-1526 (1988), doi:10.1364/AO.27.001518.
-BRDF_EXPORT SpectrumPointer fractalSpectrum(double a, double exponent);
+/// Fractal: PSD = a / max(f, corner)^exponent. E. L. Church, "Fractal surface finish", Appl. Opt. 27, 1518-1526 (1988),
+/// doi:10.1364/AO.27.001518. With corner 0 the pure power law: infinite at f = 0, with infinite variance. Its
+/// autocovariance is not offered (abc has one). `a` in um^(4 - exponent), >= 0; `exponent` > 0; `corner` in 1/um, >= 0.
+BRDF_EXPORT SpectrumPointer fractalSpectrum(double a, double exponent, double corner);
 
 /// The sum of spectra: uncorrelated kinds of roughness on one surface.
 BRDF_EXPORT SpectrumPointer sumOfSpectra(std::vector<SpectrumPointer> parts);

@@ -60,18 +60,24 @@ TEST(Spectrum, GaussianMayDifferAlongXAndY) {
   EXPECT_TRUE(makeSpectrum("gaussian(rms=0.1, correlation=2)")->isotropic());
 }
 
-TEST(Spectrum, FractalHasNoVariance) {
-  const SpectrumPointer spectrum = makeSpectrum("fractal(a=0.01, exponent=2.5)");
+TEST(Spectrum, FractalHasAVarianceWithACornerOnly) {
+  const SpectrumPointer spectrum = makeSpectrum("fractal(a=0.01, exponent=2.5, corner=0)");
   EXPECT_DOUBLE_EQ(spectrum->psd(3, 4), 0.01 * std::pow(5, -2.5));
   EXPECT_TRUE(std::isinf(spectrum->variance()));
   EXPECT_TRUE(std::isinf(spectrum->psd(0, 0)));
   EXPECT_THROW(spectrum->autocovariance(1, 0), Error);
   EXPECT_TRUE(std::isinf(abcSpectrum(0.01, 5, 2)->variance()));
+  const SpectrumPointer cornered = makeSpectrum("fractal(a=0.01, exponent=3.5, corner=0.1)");
+  EXPECT_EQ(cornered->psd(0, 0), cornered->psd(0.06, 0.08));
+  EXPECT_EQ(cornered->psd(3, 4), makeSpectrum("fractal(a=0.01, exponent=3.5, corner=0)")->psd(3, 4));
+  const double integral = overHalfLine([&](double f) { return 2 * kPi * f * cornered->psd(f, 0); });
+  EXPECT_NEAR(integral, cornered->variance(), 1e-3 * cornered->variance());  // the corner spoils the rule's convergence
 }
 
 TEST(Spectrum, DescriptionReadsBack) {
-  for (const char* text : {"abc(a=0.01, b=5, c=3)", "gaussian(rms=0.2, correlation=3, correlation_y=1)",
-                           "fractal(a=0.01, exponent=2.5)", "sum(abc(a=1, b=2, c=3), fractal(a=1, exponent=2))"})
+  for (const char* text :
+       {"abc(a=0.01, b=5, c=3)", "gaussian(rms=0.2, correlation=3, correlation_y=1)",
+        "fractal(a=0.01, exponent=2.5, corner=0.1)", "sum(abc(a=1, b=2, c=3), fractal(a=1, exponent=2, corner=0))"})
     EXPECT_EQ(makeSpectrum(text)->description(), text);
 }
 

@@ -44,6 +44,28 @@ class RayleighScatterer : public Scatterer {
   Complex contrast_;
 };
 
+/// Light and viewer change places; the sign of amplitudes between s and p changes with that of sin phi.
+Geometry exchanged(const Geometry& g) {
+  return {g.cosS,
+          g.sinS,
+          g.cosI,
+          g.sinI,
+          g.cosPhi,
+          -g.sinPhi,
+          g.qx,
+          g.qy,
+          g.wo,
+          g.wi,
+          {-g.outgoing[0], -g.outgoing[1]},
+          {-g.forward[0], -g.forward[1]}};
+}
+
+/// From the basis of light down the normal whose plane is along `from` into that of the plane along `to`.
+Jones turned(const std::array<double, 2>& from, const std::array<double, 2>& to) {
+  const double cosine = from[0] * to[0] + from[1] * to[1], sine = from[0] * to[1] - from[1] * to[0];
+  return {cosine, -sine, sine, cosine};
+}
+
 /// Waves within a substrate of real index: the sine and cosine of refraction.
 struct Refracted {
   double sine, cosine;
@@ -59,8 +81,32 @@ class DoubleInteraction : public ScatterModel {
         waveNumber_(2 * kPi / wavelength),
         distance_(distance) {}
 
+  /// At grazing angles direct and reflected light cancel: the amplitude is proportional to either cosine. Where
+  /// rounding would take over, within 6e-4 degrees of the horizon, the value there is scaled, to 1e-5 of it. The
+  /// steeper direction is always the scattered one, so that exchanged directions round alike.
   void jones(const Geometry* geometry, std::size_t count, Jones* values) const override {
-    for (std::size_t k = 0; k < count; ++k) values[k] = one(geometry[k]);
+    constexpr double least = 1e-5;
+    for (std::size_t k = 0; k < count; ++k) {
+      Geometry g = geometry[k];
+      const double scale = std::min(g.cosI / least, 1.0) * std::min(g.cosS / least, 1.0);
+      // Light along the normal has no plane of its own: computed in that of the scattered light.
+      const std::array<double, 2> plane = g.forward;
+      const bool normal = g.sinI == 0;
+      if (normal) {
+        g.forward = g.outgoing;
+        g.cosPhi = 1;
+        g.sinPhi = 0;
+      }
+      g.cosI = g.wi[2] = std::max(g.cosI, least);
+      g.cosS = g.wo[2] = std::max(g.cosS, least);
+      if (geometry[k].cosI <= geometry[k].cosS) {
+        values[k] = std::sqrt(scale) * one(g);
+      } else {
+        const Jones j = one(exchanged(g));
+        values[k] = std::sqrt(scale) * Jones{j.ss, -j.sToP, -j.pToS, j.pp};
+      }
+      if (normal) values[k] = values[k] * turned(plane, g.forward);
+    }
   }
   std::string energyNote() const override {
     return "independent particles: the albedo grows with their density without bound";

@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/material/Brdf.h>
 #include <brdf/material/Components.h>
+#include <brdf/material/DeclaresEnergy.h>
 #include <brdf/simulate/wave/ScatterModel.h>
 
 #include <string>
@@ -10,7 +11,7 @@ namespace brdf {
 
 /// A wave-optical model as a BRDF, exact: its Mueller matrices, and the value that one state of polarisation in and one
 /// analyser out give. Conventions of polarisation: wave/Polarization.h.
-class BRDF_EXPORT WaveBrdf : public Brdf {
+class BRDF_EXPORT WaveBrdf : public Brdf, public DeclaresEnergy {
  public:
   /// `models`: one a channel. The value is analyser . M . incident; an analyser of all light is (1, 0, 0, 0), one that
   /// passes a state half of it. Throws Error::Kind::Value for a number of models other than that of channels.
@@ -32,8 +33,7 @@ class BRDF_EXPORT WaveBrdf : public Brdf {
   const std::vector<wave::ScatterModelPointer>& models() const { return models_; }
   const wave::PolarizationState& incident() const { return incident_; }
   const wave::PolarizationState& detected() const { return detected_; }
-  /// Why the directional albedo may exceed 1, in one sentence; empty where it does not.
-  std::string energyNote() const { return models_.front()->energyNote(); }
+  std::string energyNote() const override { return models_.front()->energyNote(); }
   /// What leaves undiffracted in the mirror direction, at every degree; empty where there is none or it is not known.
   Components components() const;
 

@@ -39,7 +39,7 @@ const Parameter kAngle =
 const Parameter kWidth = numberRecord("width", "1",
                                       "Standard deviation of the instrument's response, in direction "
                                       "cosines.",
-                                      0.01, 1e-5, 0.2, 0.001, 0.05, true);
+                                      0.02, 1e-5, 0.2, 0.001, 0.05, true);
 
 const WaveArgument kIndexArgument{
     "index", "index", "The substrate's refractive index by wavelength, in place of eta and k.", "", {}};
