@@ -24,18 +24,12 @@ TEST(Mie, TestCasesOfWiscombe) {
     double size, extinction, scattering, asymmetry;
   };
   const Case cases[] = {
-      {{0.75, 0}, 0.099, 7.417859e-6, 7.417859e-6, 0.001448},
-      {{0.75, 0}, 10, 2.232265, 2.232265, 0.896473},
-      {{0.75, 0}, 1000, 1.997908, 1.997908, 0.844944},
-      {{1.33, 1e-5}, 1, 0.093952, 0.093923, 0.184517},
-      {{1.33, 1e-5}, 100, 2.101321, 2.096594, 0.868959},
-      {{1.33, 1e-5}, 10000, 2.004089, 1.723857, 0.907840},
-      {{1.5, 1}, 0.055, 0.101491, 0.000011, 0.000491},
-      {{1.5, 1}, 1, 2.336321, 0.663454, 0.192136},
-      {{1.5, 1}, 100, 2.097502, 1.283697, 0.850252},
-      {{1.5, 1}, 10000, 2.004368, 1.236574, 0.846309},
-      {{10, 10}, 1, 2.532993, 2.049405, -0.110664},
-      {{10, 10}, 100, 2.071124, 1.836785, 0.556215},
+      {{0.75, 0}, 0.099, 7.417859e-6, 7.417859e-6, 0.001448}, {{0.75, 0}, 10, 2.232265, 2.232265, 0.896473},
+      {{0.75, 0}, 1000, 1.997908, 1.997908, 0.844944},        {{1.33, 1e-5}, 1, 0.093952, 0.093923, 0.184517},
+      {{1.33, 1e-5}, 100, 2.101321, 2.096594, 0.868959},      {{1.33, 1e-5}, 10000, 2.004089, 1.723857, 0.907840},
+      {{1.5, 1}, 0.055, 0.101491, 0.000011, 0.000491},        {{1.5, 1}, 1, 2.336321, 0.663454, 0.192136},
+      {{1.5, 1}, 100, 2.097502, 1.283697, 0.850252},          {{1.5, 1}, 10000, 2.004368, 1.236574, 0.846310},
+      {{10, 10}, 1, 2.532993, 2.049405, -0.110664},           {{10, 10}, 100, 2.071124, 1.836785, 0.556215},
       {{10, 10}, 10000, 2.005914, 1.795393, 0.548194},
   };
   for (const Case& one : cases) {
@@ -86,15 +80,17 @@ TEST(Mie, TinySpheresAreRayleighs) {
       const MieSphere sphere(size, index);
       const Complex contrast = (index * index - 1.0) / (index * index + 2.0);
       EXPECT_NEAR(sphere.scattering() / (8 / 3.0 * std::pow(size, 4) * std::norm(contrast)), 1, 1e-7) << size;
-      if (index.imag() > 0) EXPECT_NEAR(sphere.extinction() / (4 * size * contrast.imag()), 1, 1e-7) << size;
+      if (index.imag() > 0) {
+        EXPECT_NEAR(sphere.extinction() / (4 * size * contrast.imag()), 1, 1e-7) << size;
+      }
     }
 }
 
 TEST(Mie, LargeSpheresExtinguishTwiceTheirShadow) {
   for (const double size : {1e5, 1e6}) {
     const MieSphere sphere(size, {1.5, 0.1});
-    // Corrections to the extinction paradox are 1.99 x^(-2/3): H. M. Nussenzveig and W. J. Wiscombe, Phys. Rev. Lett. 45,
-    // 1490 (1980), doi:10.1103/PhysRevLett.45.1490.
+    // Corrections to the extinction paradox are 1.99 x^(-2/3): H. M. Nussenzveig and W. J. Wiscombe, Phys. Rev. Lett.
+    // 45, 1490 (1980), doi:10.1103/PhysRevLett.45.1490.
     EXPECT_NEAR(sphere.extinction(), 2 + 1.9923861 * std::pow(size, -2 / 3.0), 2e-5) << size;
     EXPECT_LT(sphere.scattering(), sphere.extinction());
   }

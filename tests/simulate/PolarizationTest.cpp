@@ -129,8 +129,8 @@ TEST(Polarization, NormalDirectionsAreTheLimitOfTheirAzimuth) {
     const auto model = makeWaveBrdf(expression);
     for (const auto& [thetaI, thetaS] : {std::pair{0.0, 40.0}, {40.0, 0.0}, {0.0, 0.0}}) {
       const Mueller at = muellerOf(*model, PairOfDirections(thetaI, thetaS, thetaS == 0 ? 0 : 70));
-      const Mueller near = muellerOf(*model, PairOfDirections(std::max(thetaI, 1e-7), std::max(thetaS, 1e-7),
-                                                              thetaS == 0 ? 0 : 70));
+      const Mueller near =
+          muellerOf(*model, PairOfDirections(std::max(thetaI, 1e-7), std::max(thetaS, 1e-7), thetaS == 0 ? 0 : 70));
       for (std::size_t e = 0; e < 16; ++e)
         EXPECT_NEAR(at.m[e], near.m[e], 1e-6 * near.m[0] + 1e-300) << expression << " " << thetaI << " " << thetaS;
     }

@@ -17,7 +17,8 @@ inline std::array<double, 3> directionOf(double thetaDegrees, double phiDegrees)
 /// wi on the side of -x, wo at azimuth phi from the forward direction.
 struct PairOfDirections {
   std::array<double, 3> wi, wo;
-  PairOfDirections(double thetaI, double thetaS, double phi) : wi(directionOf(thetaI, 180)), wo(directionOf(thetaS, phi)) {}
+  PairOfDirections(double thetaI, double thetaS, double phi)
+      : wi(directionOf(thetaI, 180)), wo(directionOf(thetaS, phi)) {}
   DirectionPairs<double> view() const { return {{&wi[0], &wi[1], &wi[2]}, {&wo[0], &wo[1], &wo[2]}, 1}; }
 };
 
