@@ -35,14 +35,17 @@ cmake -S paraview -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DBRDF_
 cmake --build "$folder/build"
 
 plugin=$(compgen -G "$folder/build/lib/paraview-*/plugins/BRDFLab/BRDFLab.so")
+widgets=$(compgen -G "$folder/build/lib/paraview-*/plugins/BRDFLabWidgets" || true)
 programs=/usr/bin
 [[ ! -d $folder/prefix/bin ]] || programs=$folder/prefix/bin
 [[ -z ${ParaView_DIR-} ]] || programs=$(realpath "$ParaView_DIR/../../../bin")
 mkdir -p "$folder/bin"
 for program in paraview pvpython pvbatch pvserver; do
   [[ -x $programs/$program ]] || continue
+  path=$(dirname "$plugin")
+  [[ $program != paraview || -z $widgets ]] || path+=:$widgets
   printf '#!/bin/sh\nexport PV_PLUGIN_PATH=%s${PV_PLUGIN_PATH:+:$PV_PLUGIN_PATH}\nexec %s "$@"\n' \
-    "$(dirname "$plugin")" "$programs/$program" >"$folder/bin/$program"
+    "$path" "$programs/$program" >"$folder/bin/$program"
   chmod +x "$folder/bin/$program"
 done
 echo "plugin:   $plugin"

@@ -18,8 +18,12 @@ triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH 2>/dev/null || gcc -print-multi
 libraries=$folder/usr/lib/$triplet
 if ! compgen -G "$libraries/cmake/paraview-*/paraview-config.cmake" >/dev/null || [[ ! -e $folder/bin/pvserver ]]; then
   packages=(paraview paraview-dev python3-paraview)
-  # Libraries that ParaView needs and this machine lacks; of its Python packages only the web server needs any.
-  mapfile -t missing < <(apt-get install -s --no-install-recommends paraview 2>/dev/null | sed -n 's/^Inst \(lib[^ ]*\) .*/\1/p')
+  # The Qt that its window is made with, for widgets of ours in it.
+  qt=(qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev)
+  apt-cache depends paraview | grep -q libqt5widgets5 || qt=(qt6-base-dev libqt6svg6-dev qt6-tools-dev)
+  # What ParaView and that Qt need and this machine lacks; of Python's packages only ParaView's web server needs any.
+  mapfile -t missing < <(apt-get install -s --no-install-recommends paraview "${qt[@]}" 2>/dev/null |
+    sed -n 's/^Inst \([^ ]*\) .*/\1/p' | grep -v python)
   rm -rf "$folder/usr" "$folder/deb" "$folder/bin"
   mkdir -p "$folder/deb" "$folder/bin"
   (cd "$folder/deb" && apt-get -o APT::Sandbox::User=root download -q "${packages[@]}" "${missing[@]}" >download.log 2>&1) ||
@@ -27,6 +31,13 @@ if ! compgen -G "$libraries/cmake/paraview-*/paraview-config.cmake" >/dev/null |
   for package in "$folder"/deb/*.deb; do dpkg-deb -x "$package" "$folder"; done
   rm -rf "$folder/deb" "$folder/etc" "$folder/usr/share/doc"
 
+  # Qt's CMake files look beside themselves for what is installed, not unpacked.
+  find "$libraries" -maxdepth 1 -xtype l -printf '%l\n' | while read -r target; do
+    [[ ! -e /usr/lib/$triplet/$target ]] || ln -sf "/usr/lib/$triplet/$target" "$libraries/$target"
+  done
+  for plugins in /usr/lib/"$triplet"/qt[56]/plugins/*; do
+    [[ ! -e $plugins ]] || { mkdir -p "$libraries${plugins#"/usr/lib/$triplet"}" && cp -sn "$plugins"/* "$libraries${plugins#"/usr/lib/$triplet"}"; }
+  done
   # Debian 13 names Python modules X.cpython-*.so, its CMake files still say X.so; the plugin needs none of them.
   find "$libraries/cmake" -name '*Python*-targets-*.cmake' -exec sed -i '/_cmake_import_check_\|_IMPORT_CHECK_/d' {} +
 
@@ -35,7 +46,8 @@ if ! compgen -G "$libraries/cmake/paraview-*/paraview-config.cmake" >/dev/null |
 #!/bin/sh
 LD_LIBRARY_PATH=$libraries\${LD_LIBRARY_PATH:+:\$LD_LIBRARY_PATH}
 PYTHONPATH=$folder/usr/lib/python3/dist-packages\${PYTHONPATH:+:\$PYTHONPATH}
-export LD_LIBRARY_PATH PYTHONPATH
+QT_PLUGIN_PATH=$(printf '%s:' "$libraries"/qt[56]/plugins)\$QT_PLUGIN_PATH
+export LD_LIBRARY_PATH PYTHONPATH QT_PLUGIN_PATH
 exec $folder/usr/bin/$program "\$@"
 PROGRAM
     chmod +x "$folder/bin/$program"

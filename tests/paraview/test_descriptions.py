@@ -97,8 +97,14 @@ class Descriptions(unittest.TestCase):
         }
         ((proxy, _),) = proxies("RepresentationProxy")
         self.assertEqual({p.get("name"): values_of(p) for p in properties(proxy)}, expected)
-        exposed = {p.get("name") for p in ElementTree.parse(PLUGIN + "/representations.xml").iter("Property")}
+        (group,) = ElementTree.parse(PLUGIN + "/representations.xml").iter("PropertyGroup")
+        exposed = {p.get("name") for p in group.iter("Property")}
         self.assertEqual(exposed, set(expected))
+        arrow = brdflab.vtkBRDFDirectionRepresentation()
+        (proxy,) = [p for p, kind in proxies("Proxy") if kind == arrow.GetClassName()]
+        for name in ("Theta", "Phi", "Visibility"):
+            (prop,) = [p for p in properties(proxy) if p.get("name") == name]
+            self.assertEqual(values_of(prop), getattr(arrow, "Get" + name)())
 
     def test_every_lobe_is_a_source_with_all_its_parameters(self):
         models = json.loads(subprocess.run([BRDF, "models", "--json", "-"], check=True, capture_output=True).stdout)
