@@ -2,12 +2,14 @@
 
 usage: scene.py FOLDER draw [SERVER_URL [remote]]     draws FOLDER/sphere.png, FOLDER/lobe.png, and saves the state
        scene.py FOLDER reopen STATE PICTURE           opens a state file and draws its sphere
+       scene.py FOLDER drag                           drags the arrow of the light from 45 to 20 degrees
        scene.py FOLDER proxies                        makes and updates every proxy
 
 FOLDER/task.json says what to draw; results go to FOLDER/result.json.
 """
 
 import json
+import math
 import os
 import sys
 
@@ -61,8 +63,6 @@ def draw():
         simple.Connect(host, int(port))
         if REST[1:] == ["remote"]:
             simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0
-        simple.LoadPlugin(TASK["plugin"], remote=True, ns=simple.__dict__)
-        simple.LoadPlugin(TASK["plugin"], remote=False, ns=simple.__dict__)
     target = simple.OpenDataFile(TASK["target"])
     fit = simple.BRDFFit(registrationName="fit", Input=target, **TASK["fit"])
     lobe = simple.BRDFLobe(registrationName="lobe", Input=fit, ThetaI=30.0)
@@ -182,4 +182,37 @@ def proxies():
     )
 
 
-{"draw": draw, "reopen": reopen, "proxies": proxies}[WHAT]()
+def drag():
+    view = plain_view("drag")
+    view.ViewSize = [400, 400]
+    simple.Show(simple.BRDFLobe(Input=simple.BRDFMaterial()), view)
+    simple.Render(view)
+    look_from(view, {"position": [0, -6, 0], "focal_point": [0, 0, 0], "view_up": [0, 0, 1], "view_angle": 30})
+    widget = servermanager.ProxyManager().NewProxy("representations", "BRDFDirectionWidgetRepresentation")
+    widget.UpdateVTKObjects()
+    view.SMProxy.GetProperty("HiddenRepresentations").AddProxy(widget)
+    view.SMProxy.UpdateVTKObjects()
+    arrow = servermanager._getPyProxy(widget)
+    arrow.Enabled = arrow.Visibility = 1
+    simple.Render(view)
+    interactor = view.GetInteractor()
+
+    def point(theta):
+        """The pixel of the arrow's middle, 1.2 from the origin."""
+        scale = 1.2 * 200 / (6 * math.tan(math.radians(15)))
+        return [round(200 + scale * f(math.radians(theta))) for f in (math.sin, math.cos)]
+
+    start = arrow.Theta
+    for event, theta in (
+        ("MouseMoveEvent", 45),
+        ("LeftButtonPressEvent", 45),
+        ("MouseMoveEvent", 20),
+        ("LeftButtonReleaseEvent", 20),
+    ):
+        interactor.SetEventInformation(*point(theta), 0, 0, "\0", 0, None)
+        interactor.InvokeEvent(event)
+    widget.UpdatePropertyInformation()
+    result(start=start, theta=arrow.Theta, phi=arrow.Phi)
+
+
+{"draw": draw, "drag": drag, "reopen": reopen, "proxies": proxies}[WHAT]()

@@ -9,6 +9,7 @@ Exits with 77 where there is no plugin, or no X server to draw with.
 import glob
 import json
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -25,7 +26,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-FOLDER, BRDF = sys.argv[1:3]
+FOLDER, BRDF = (os.path.abspath(path) for path in sys.argv[1:3])
 DISPLAY = os.path.join(ROOT, "scripts", "with-display.sh")
 FIT = {"Lobes": "Lambertian + GGX", "MaximumTheta": 80.0}
 SIZE = [300, 300]
@@ -123,7 +124,6 @@ class Plugin(unittest.TestCase):
     def folder(self, **task):
         folder = tempfile.mkdtemp(dir=self.scratch.name)
         common = {
-            "plugin": PLUGINS[0],
             "target": self.target,
             "environment": self.environment_map,
             "fit": FIT,
@@ -173,6 +173,27 @@ class Plugin(unittest.TestCase):
     def test_pvbatch(self):
         folder = self.folder()
         self.check_drawing(folder, self.run_scene("pvbatch", folder, "draw"))
+
+    def test_what_the_page_shows_runs(self):
+        with open(os.path.join(ROOT, "docs", "paraview.md")) as file:
+            snippets = re.findall(r"```python\n(.*?)```", file.read(), re.DOTALL)
+        folder = tempfile.mkdtemp(dir=self.scratch.name)
+        with open(os.path.join(folder, "page.py"), "w") as file:
+            file.write("\n".join(snippets))
+        os.symlink(self.target, os.path.join(folder, "gold.binary"))
+        os.symlink(os.path.join(ROOT, "datasets"), os.path.join(folder, "datasets"))
+        command = [DISPLAY, program("pvbatch"), "page.py"]
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment(), cwd=folder)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertNotIn("ERR|", done.stderr)
+        for name in ("lobe.png", "errors.png", "curve.png", "scene.png"):
+            self.assertGreater(picture(os.path.join(folder, name)).std(), 5, name)
+
+    def test_the_arrow_follows_the_pointer(self):
+        result = self.run_scene("pvpython", self.folder(), "drag")
+        # To a pixel, of which one is 0.4 degrees on the circle of 149 pixels that the arrow's middle runs on.
+        self.assertAlmostEqual(result["theta"], 20, delta=0.6)
+        self.assertAlmostEqual(result["start"], 45, delta=1e-12)
 
     def test_pvserver_draws_itself_and_lets_the_client_draw(self):
         for where in ((), ("remote",)):
