@@ -14,10 +14,18 @@ from xml.etree import ElementTree
 
 import brdflab
 from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+from vtkmodules.vtkRenderingCore import vtkMapper
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 PLUGIN = os.path.join(ROOT, "paraview", "plugin")
 BRDF = sys.argv.pop(1)
+
+NOT_OFFERED = {
+    "vtkBRDFEXRWriter": "pictures are written by ParaView",
+    "vtkBRDFRender": "its lights, objects and camera are objects; the representation draws surfaces",
+    "vtkBRDFToneMap": "for pictures of vtkBRDFRender",
+}
 
 
 def proxies(*tags):
@@ -58,6 +66,14 @@ class Descriptions(unittest.TestCase):
             [sys.executable, os.path.join(ROOT, "paraview", "describe.py"), BRDF, "--check"], capture_output=True, text=True
         )
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_every_algorithm_is_offered_or_has_a_reason_not_to_be(self):
+        kinds = {n: k for n, k in vars(brdflab).items() if isinstance(k, type) and issubclass(k, vtkAlgorithm)}
+        bases = {base.__name__ for kind in kinds.values() for base in kind.__mro__[1:]}
+        drawing = (brdflab.vtkBRDFView, vtkMapper)
+        offered = {kind for _, kind in proxies("SourceProxy", "WriterProxy")}
+        left = {n for n, k in kinds.items() if n not in bases and not issubclass(k, drawing)} - offered
+        self.assertEqual(left, set(NOT_OFFERED), "give them a place in paraview/describe/proxies.py, or a reason here")
 
     def test_every_default_is_that_of_the_getter(self):
         compared = 0
