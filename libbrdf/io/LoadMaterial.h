@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace brdf {
 
@@ -29,11 +30,28 @@ struct LoadedMaterial {
 /// a container keep what was assumed when they were made (a warning says so).
 BRDF_EXPORT LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options = {});
 
+/// A parameter of a model that a kind of materials offers, for listings.
+struct MaterialParameter {
+  std::string name;                    ///< "psd.A": of the model that the parameter `psd` chooses
+  std::string type;                    ///< in a word
+  std::string value;                   ///< as it would be used: the default where nothing is given
+  std::string description;             ///< with its unit
+  std::vector<std::string> choices{};  ///< what it may be, where it is a choice
+};
+struct MaterialModel {
+  std::string name, title;
+  std::vector<MaterialParameter> parameters{};
+};
+
 /// A kind of material of someone's own, written `name:arguments`: a BRDF class in C++, a simulation, a data base.
 struct MaterialKind {
   std::string name;   ///< letters, digits, '_' and '-', at least two; not "preset"
   std::string title;  ///< one line, with the form of the arguments
   std::function<BrdfPointer(std::string_view arguments)> make;  ///< throws brdf::Error
+  /// Where the arguments name one of several models: all of them, without their parameters; and one with them, as the
+  /// arguments choose (`brdf plugins scatmech:Model`). May be null; throw brdf::Error.
+  std::function<std::vector<MaterialModel>()> models{};
+  std::function<MaterialModel(std::string_view arguments)> describe{};
 };
 /// Adds a kind; replaces one of the same name. Throws Error::Kind::Value for a name that is none.
 BRDF_EXPORT void registerMaterialKind(MaterialKind kind);

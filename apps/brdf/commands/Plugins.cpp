@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "Output.h"
 
+#include <brdf/base/Error.h>
 #include <brdf/base/Plugins.h>
 #include <brdf/base/Text.h>
 #include <brdf/io/LoadMaterial.h>
@@ -43,11 +44,62 @@ void run(const Output& output) {
   output.report({{"folders", folders}, {"plugins", found}, {"materials", kinds}, {"lobe_folders", lobeFolders}});
 }
 
+const MaterialKind& findKind(const std::string& name) {
+  std::vector<std::string> names;
+  for (const MaterialKind& kind : materialKinds()) {
+    if (kind.name == name) return kind;
+    names.push_back(kind.name);
+  }
+  throw Error(Error::Kind::Value, {"unknown kind of materials", "brdf plugins", "'" + name + "'", joined(names)});
+}
+
+/// The models of a kind, or the parameters of one of them.
+void runKind(const Output& output, const std::string& what) {
+  const std::size_t colon = what.find(':');
+  const MaterialKind& kind = findKind(what.substr(0, colon));
+  const bool one = colon != std::string::npos;
+  Json report = {{"name", kind.name}, {"title", kind.title}};
+  output.line(kind.title);
+  TextTable table;
+  if (one && kind.describe) {
+    const MaterialModel model = kind.describe(std::string_view(what).substr(colon + 1));
+    Json parameters = Json::array();
+    for (const MaterialParameter& p : model.parameters) {
+      table.row({"  " + p.name, p.value, p.type, p.description});
+      parameters.push_back({{"name", p.name},
+                            {"type", p.type},
+                            {"value", p.value},
+                            {"description", p.description},
+                            {"choices", p.choices}});
+      if (!p.choices.empty()) table.row({"", "", "", "one of " + joined(p.choices)});
+    }
+    output.line(model.name + ": " + model.title + "\n" + table.text());
+    report["models"] = Json::array({{{"name", model.name}, {"title", model.title}, {"parameters", parameters}}});
+  } else {
+    Json models = Json::array();
+    if (kind.models)
+      for (const MaterialModel& model : kind.models()) {
+        table.row({"  " + model.name, model.title});
+        models.push_back({{"name", model.name}, {"title", model.title}});
+      }
+    if (!models.empty())
+      output.line(table.text() + "\nbrdf plugins " + kind.name + ":NAME shows one with its parameters");
+    report["models"] = models;
+  }
+  output.report(report);
+}
+
 }  // namespace
 
 Command pluginsCommand() {
-  return {"plugins", "List what was added from outside: plugins, and folders of lobes", "  brdf plugins",
-          [](Arguments&) {}, run};
+  const auto kind = std::make_shared<std::string>();
+  return {"plugins", "List what was added from outside: plugins, kinds of materials, and folders of lobes",
+          "  brdf plugins\n  brdf plugins program",
+          [kind](Arguments& arguments) {
+            arguments.positional("KIND", *kind, "A kind of materials, or KIND:MODEL: the models, or one's parameters");
+            arguments.optional();
+          },
+          [kind](const Output& output) { kind->empty() ? run(output) : runKind(output, *kind); }};
 }
 
 }  // namespace brdf::app
