@@ -3,6 +3,7 @@
 usage: scene.py FOLDER draw [SERVER_URL [remote]]     draws FOLDER/sphere.png, FOLDER/lobe.png, and saves the state
        scene.py FOLDER reopen STATE PICTURE           opens a state file and draws its sphere
        scene.py FOLDER drag                           drags the arrow of the light from 45 to 20 degrees
+       scene.py FOLDER extended                       uses what the plugin in examples/plugin registers
        scene.py FOLDER proxies                        makes and updates every proxy
 
 FOLDER/task.json says what to draw; results go to FOLDER/result.json.
@@ -182,6 +183,21 @@ def proxies():
     )
 
 
+def extended():
+    turned = simple.BRDFMaterial(Material="turned:45,Ward(ax=0.1, ay=0.4)")
+    turned.UpdatePipeline()
+    truth = simple.BRDFMaterial(Material="0.2*WorkshopGloss(n=50)")
+    fit = simple.BRDFFit(Input=truth, Lobes="WorkshopGloss", Metric="fourth_root", Optimizer="compass")
+    fit.NumberOfSamples = 2000
+    fit.UpdatePipeline()
+    result(
+        turned=field(turned, "vtkBRDF"),
+        fit=field(fit, "vtkBRDF"),
+        metrics=fit.GetProperty("Metric").GetAvailable(),
+        optimizers=fit.GetProperty("Optimizer").GetAvailable(),
+    )
+
+
 def drag():
     view = plain_view("drag")
     view.ViewSize = [400, 400]
@@ -215,4 +231,4 @@ def drag():
     result(start=start, theta=arrow.Theta, phi=arrow.Phi)
 
 
-{"draw": draw, "drag": drag, "reopen": reopen, "proxies": proxies}[WHAT]()
+{"draw": draw, "drag": drag, "extended": extended, "reopen": reopen, "proxies": proxies}[WHAT]()

@@ -44,6 +44,9 @@ def skip(reason):
 PLUGINS = glob.glob(os.path.join(FOLDER, "build", "lib", "*", "plugins", "BRDFLab", "BRDFLab.so"))
 if not PLUGINS:
     skip(f"no ParaView plugin in {FOLDER}: scripts/build-paraview-plugin.sh builds one")
+LIBRARY = glob.glob(os.path.join(os.path.dirname(os.path.dirname(BRDF)), "lib", "libbrdf.so"))
+if LIBRARY and os.path.getmtime(LIBRARY[0]) > os.path.getmtime(PLUGINS[0]):
+    skip(f"{PLUGINS[0]} is older than {LIBRARY[0]}: scripts/build-paraview-plugin.sh builds it anew")
 if not shutil.which("Xvfb"):
     skip("no Xvfb (package xvfb): ParaView draws in windows only")
 
@@ -136,9 +139,9 @@ class Plugin(unittest.TestCase):
             json.dump(common | task, file)
         return folder
 
-    def run_scene(self, interpreter, folder, *words):
+    def run_scene(self, interpreter, folder, *words, **variables):
         command = [DISPLAY, program(interpreter), os.path.join(HERE, "scene.py"), folder, *words]
-        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment())
+        done = subprocess.run(command, capture_output=True, text=True, timeout=300, env=environment() | variables)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         self.assertNotIn("ERR|", done.stderr)
         with open(os.path.join(folder, "result.json")) as file:
@@ -188,6 +191,17 @@ class Plugin(unittest.TestCase):
         self.assertNotIn("ERR|", done.stderr)
         for name in ("lobe.png", "errors.png", "curve.png", "scene.png"):
             self.assertGreater(picture(os.path.join(folder, name)).std(), 5, name)
+
+    def test_plugins_of_brdflab_are_there_with_nothing_built_again(self):
+        workshop = os.path.join(os.path.dirname(os.path.dirname(BRDF)), "tests", "installed", "plugin-build")
+        if not os.path.exists(os.path.join(workshop, "workshop.so")):
+            self.skipTest("examples/plugin is built by the test package.APluginAddsToEveryRegistryOfTheInstalledProgram")
+        result = self.run_scene("pvpython", self.folder(), "extended", BRDFLAB_PLUGIN_PATH=workshop)
+        self.assertEqual(result["turned"], "turned:45,Ward(ax=0.1, ay=0.4)")
+        n = float(re.search(r"WorkshopGloss\(n=([0-9.]+)\)", result["fit"]).group(1))
+        self.assertAlmostEqual(n, 50, delta=0.1)
+        self.assertIn("fourth_root", result["metrics"])
+        self.assertIn("compass", result["optimizers"])
 
     def test_the_arrow_follows_the_pointer(self):
         result = self.run_scene("pvpython", self.folder(), "drag")
