@@ -3,9 +3,9 @@
 // above the two triangles of every cell until it crosses one, and then below. Over a triangle its height above it is
 // linear, so that a crossing is a change of sign between the ends, and nothing falls through. A position is a cell
 // (BrdfPath::place), the place in it in [0, 1], and z.
-uniform sampler2D brdfCells;   // heights at the corners (0, 0), (1, 0), (1, 1), (0, 1) of each cell
-uniform sampler2D brdfBounds;  // least and most height of the squares of 2, 4, ... cells, level above level
-uniform int brdfLevelRows[28]; // first row of each level; of level 1 at [1]
+uniform sampler2D brdfHeights;  // brdf::FieldTexels: heights at the corners (0, 0), (1, 0), (1, 1), (0, 1) of cells; least
+                                // and most height of squares of 2, 4, ... cells
+uniform int brdfLevelRows[28];  // first row of each level
 uniform int brdfTop;           // level whose only square is the tile
 uniform ivec2 brdfSize;        // cells
 uniform vec3 brdfLattice;      // (cells a unit of length along x and y; 0 along which nothing changes), 1
@@ -18,22 +18,23 @@ void brdfPutAbove(inout BrdfPath path, uvec4 random)
   path.position = vec3(brdfUnit(x.y), brdfUnit(y.y), brdfEnds.y);
 }
 
-// Distance to the end of [0, size] that is ahead.
-float brdfToBorder(float origin, float direction, float size)
+// Distances to the borders that are ahead, BRDF_NEVER to those that the ray is parallel to.
+vec3 brdfToBorders(vec3 way, vec3 inverse)
 {
-  float way = direction > 0.0 ? size - origin : -origin;
-  return abs(direction) > 1e-25 ? max(way / direction, 0.0) : BRDF_NEVER;
+  return mix(max(way * inverse, 0.0), vec3(BRDF_NEVER), vec3(equal(inverse, vec3(0.0))));
 }
 
 int brdfFollow(inout BrdfPath path, inout int steps, out float distance, out int facet, out vec3 normal, out bool front)
 {
   vec3 d = path.direction * brdfLattice, p = path.position;
+  bvec3 moves = greaterThan(abs(d), vec3(1e-25));
+  vec3 inverse = mix(vec3(0.0), 1.0 / mix(vec3(1.0), d, vec3(moves)), vec3(moves)), forward = vec3(greaterThan(d, vec3(0.0)));
   ivec2 cell = ivec2(int(path.place & 65535u), int(path.place >> 16));
   front = !brdfWithin(path.media, brdfBelow);
   float side = front ? 1.0 : -1.0;
   bool onLower = (path.state & BRDF_ON_LOWER) != 0u, onUpper = (path.state & BRDF_ON_UPPER) != 0u;
   bool on = onLower || onUpper;
-  int level = on ? 0 : brdfTop, end = BRDF_ON;
+  int level = on ? 0 : min(brdfTop, 4), end = BRDF_ON;
   distance = 0.0;
   facet = 0;
   normal = vec3(0.0, 0.0, 1.0);
@@ -44,20 +45,11 @@ int brdfFollow(inout BrdfPath path, inout int steps, out float distance, out int
     ivec2 corner = cell >> level << level;
     ivec2 size = min(corner + (1 << level), brdfSize) - corner;
     vec2 q = p.xy + vec2(cell - corner);
-    float toX = brdfToBorder(q.x, d.x, float(size.x)), toY = brdfToBorder(q.y, d.y, float(size.y));
-    float toZ = abs(d.z) > 1e-25 ? max(((d.z > 0.0 ? brdfEnds.y : brdfEnds.x) - p.z) / d.z, 0.0) : BRDF_NEVER;
+    vec3 to = brdfToBorders(mix(vec3(0.0, 0.0, brdfEnds.x), vec3(size, brdfEnds.y), forward) - vec3(q, p.z), inverse);
+    float toX = to.x, toY = to.y, toZ = to.z;
     float s = min(min(toX, toY), toZ), z = p.z + s * d.z;
-    vec4 h = vec4(0.0);
-    vec2 bounds;
-    if (level > 0)
-    {
-      bounds = texelFetch(brdfBounds, (cell >> level) + ivec2(0, brdfLevelRows[level]), 0).xy;
-    }
-    else
-    {
-      h = texelFetch(brdfCells, cell, 0);
-      bounds = vec2(min(min(h.x, h.y), min(h.z, h.w)), max(max(h.x, h.y), max(h.z, h.w)));
-    }
+    vec4 h = texelFetch(brdfHeights, (cell >> level) + ivec2(0, brdfLevelRows[level]), 0);
+    vec2 bounds = level > 0 ? h.xy : vec2(min(min(h.x, h.y), min(h.z, h.w)), max(max(h.x, h.y), max(h.z, h.w)));
     bool clear = front ? min(p.z, z) > bounds.y : max(p.z, z) < bounds.x;
     if (!clear && level > 0)
     {
@@ -139,7 +131,7 @@ int brdfFollow(inout BrdfPath path, inout int steps, out float distance, out int
           wraps = cell.y < 0 || cell.y >= brdfSize.y;
           cell.y = cell.y < 0 ? brdfSize.y - 1 : cell.y >= brdfSize.y ? 0 : cell.y;
         }
-        level = wraps ? brdfTop : any(notEqual(cell >> (level + 1), parent)) ? min(level + 1, brdfTop) : level;
+        level = wraps || any(notEqual(cell >> (level + 1), parent)) ? min(level + 1, brdfTop) : level;
       }
     }
   }

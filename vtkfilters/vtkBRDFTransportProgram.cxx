@@ -155,9 +155,8 @@ void vtkBRDFTransportProgram::Use() const
 
 void vtkBRDFTransportProgram::Upload(const brdf::FieldTexels& field, const vtkBRDFTransportScene&)
 {
-  this->UploadFlat(FirstShapeUnit, "brdfCells", field.columns, field.rows, GL_RGBA32F, GL_RGBA, field.cells.data());
-  this->UploadFlat(
-    SecondShapeUnit, "brdfBounds", field.boundsWidth, field.boundsRows, GL_RG32F, GL_RG, field.bounds.data());
+  const std::size_t texelRows = field.texels.size() / field.columns;
+  this->UploadFlat(FirstShapeUnit, "brdfHeights", field.columns, texelRows, field.texels.data());
   std::array<GLint, 28> rows{};
   std::copy(field.levelRows.begin(), field.levelRows.end(), rows.begin());
   glUniform1iv(this->Program.Uniform("brdfLevelRows"), static_cast<GLsizei>(rows.size()), rows.data());
@@ -201,8 +200,6 @@ void vtkBRDFTransportProgram::UploadFlat(GLint unit,
                                          const char* name,
                                          std::size_t width,
                                          std::size_t height,
-                                         GLint inside,
-                                         GLenum format,
                                          const void* texels)
 {
   GLint most = 0;
@@ -219,8 +216,8 @@ void vtkBRDFTransportProgram::UploadFlat(GLint unit,
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture.Name());
   vtkBRDFDescribeTexture(GL_TEXTURE_2D);
-  glTexImage2D(
-    GL_TEXTURE_2D, 0, inside, static_cast<GLsizei>(width), static_cast<GLsizei>(height), 0, format, GL_FLOAT, texels);
+  const auto columns = static_cast<GLsizei>(width), rows = static_cast<GLsizei>(height);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, columns, rows, 0, GL_RGBA, GL_FLOAT, texels);
   glBindTexture(GL_TEXTURE_2D, 0);
   glUniform1i(this->Program.Uniform(name), unit);
 }

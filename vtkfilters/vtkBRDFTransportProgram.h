@@ -30,13 +30,7 @@ private:
   void Upload(const brdf::FieldTexels& field, const vtkBRDFTransportScene& scene);
   void Upload(const brdf::TileTree& tree, const vtkBRDFTransportScene& scene);
   void Upload(const vtkBRDFShaderText& material);
-  void UploadFlat(GLint unit,
-                  const char* name,
-                  std::size_t width,
-                  std::size_t height,
-                  GLint inside,
-                  GLenum format,
-                  const void* texels);
+  void UploadFlat(GLint unit, const char* name, std::size_t width, std::size_t height, const void* texels);
   void UploadBuffer(GLint unit, const char* name, const float* texels, std::size_t count);
 
   vtkBRDFDeviceProgram Program;

@@ -11,8 +11,8 @@ namespace
 {
 using brdf::Error, brdf::Facet;
 
-// Most cells of a height field along an axis: a texture of this size fits every device that has 32-bit floats.
-constexpr std::size_t kMostCells = 16384;
+// Texels along an axis: a texture of this size fits every device that has 32-bit floats.
+constexpr std::size_t kMostTexels = 16384;
 
 std::vector<int> MediaOf(const std::vector<Facet>& facets)
 {
@@ -31,7 +31,7 @@ std::variant<brdf::FieldTexels, brdf::TileTree> ShapeOf(const brdf::Microsurface
   const std::string& where = surface.description;
   if (const auto* field = std::get_if<brdf::HeightField>(&surface.shape))
   {
-    return brdf::FieldTexels(*field, kMostCells, where);
+    return brdf::FieldTexels(*field, kMostTexels, where);
   }
   if (const auto* mesh = std::get_if<brdf::TiledMesh>(&surface.shape))
   {

@@ -29,7 +29,7 @@ TEST(GpuGeometry, SquaresOfAFieldHaveItsLeastAndMostHeight) {
             least = std::min(least, h);
             most = std::max(most, h);
           }
-        const auto& bounds = texels.bounds[(texels.levelRows[level] + J) * texels.boundsWidth + I];
+        const auto& bounds = texels.texels[(texels.levelRows[level] + J) * texels.columns + I];
         EXPECT_NEAR(double(bounds[0]), least, 1e-6);
         EXPECT_NEAR(double(bounds[1]), most, 1e-6);
         EXPECT_GE(double(bounds[0]), texels.lowest);
