@@ -42,7 +42,7 @@ def main(arguments):
             with open(path, "w", encoding="utf-8") as file:
                 file.write(text)
     if len(arguments) == 2 and stale:
-        sys.exit(f"paraview/plugin: {', '.join(stale)} not as the classes say: run paraview/describe.py")
+        sys.exit(f"paraview/plugin: {', '.join(stale)} not as the classes say: run scripts/update-docs.sh")
 
 
 main(sys.argv[1:])

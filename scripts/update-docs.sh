@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Writes docs/models.md and docs/models/ anew from the models' own records (libbrdf/models).
+# Writes docs/models.md and docs/models/ anew from the models' own records (libbrdf/models), and paraview/plugin/*.xml from them
+# and from the classes of vtkfilters.
 # Usage: scripts/update-docs.sh [BUILD_FOLDER]   (default: the one under build/ that was used last)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -13,3 +14,10 @@ ninja -C "$build" brdf_app >/dev/null || { echo "update-docs.sh: brdf does not b
 rm -f docs/models/*.md
 # Without lobes of the user's own.
 env -u BRDFLAB_MODEL_PATH XDG_DATA_HOME=/nonexistent "$build/bin/brdf" models --markdown docs
+# What the ParaView plugin says of the lobes and classes, where the Python package is built.
+package=$(compgen -G "$build/lib/python3*/dist-packages" || true)
+if [[ -n $package ]]; then
+  ninja -C "$build" vtkBRDFFiltersPython >/dev/null
+  python=$(sed -n 's/^Python3_EXECUTABLE:[^=]*=//p' "$build/CMakeCache.txt")
+  PYTHONPATH=$package "$python" paraview/describe.py "$build/bin/brdf"
+fi

@@ -330,7 +330,7 @@ void vtkBRDFPlotView::AddChart(const Plot& plot, int text, const double rectangl
         vtkNew<vtkPlotLine> lines;
         lines->SetInputData(bars, 0, 1);
         lines->SetPolyLine(false);
-        lines->SetColor(color[0], color[1], color[2]);
+        lines->GetPen()->SetColorF(color[0], color[1], color[2]);
         lines->SetWidth(part(thin));
         chart->AddPlot(lines);
       }
@@ -340,7 +340,7 @@ void vtkBRDFPlotView::AddChart(const Plot& plot, int text, const double rectangl
         dots->SetInputData(table, 0, 1);
         dots->SetMarkerStyle(vtkPlotPoints::CIRCLE);
         dots->SetMarkerSize(part(0.45 * text));
-        dots->SetColor(color[0], color[1], color[2]);
+        dots->GetPen()->SetColorF(color[0], color[1], color[2]);
         chart->AddPlot(dots);
       }
       continue;
@@ -382,7 +382,7 @@ void vtkBRDFPlotView::AddChart(const Plot& plot, int text, const double rectangl
       const Color stroke = beyond ? Pale(color) : color;
       vtkNew<vtkPlotLine> line;
       line->SetInputData(strokes, 0, 1);
-      line->SetColor(stroke[0], stroke[1], stroke[2]);
+      line->GetPen()->SetColorF(stroke[0], stroke[1], stroke[2]);
       line->SetWidth(part(1.8 * thin));
       chart->AddPlot(line);
     }

@@ -3,10 +3,11 @@
 from .classes import bounds, comment, default
 from .xml import documentation, element, number, numbers
 
-# What is not in the classes: how a value is entered. `choices`: all values there are, `names`: a registry
+# What is not in the classes: how a value is entered. `choices`: all values there are; `names`: a registry
 # (vtkBRDFRegistry) at run time, with `first` before it; `low`, `high`: the range of a slider where the setter clamps
-# none; `enumeration`: texts for 0, 1, ...; `file`: "open" or "save"; `advanced`: behind ParaView's gear.
-KEYS = {"choices", "names", "first", "low", "high", "enumeration", "file", "advanced", "lines", "show_if"}
+# none; `mention`: what the text lists besides, as (title, function that gives names); `enumeration`: texts for 0, 1, ...;
+# `file`: "open" or "save"; `advanced`: behind ParaView's gear; `lines`: a field of several; `show_if`: (property, value).
+KEYS = {"choices", "names", "first", "low", "high", "enumeration", "file", "advanced", "lines", "show_if", "mention"}
 
 
 def label_of(name):
@@ -58,6 +59,9 @@ def property_of(instance, name, how, text=None, command=None, value=None):
         raise ValueError(f"{name}: {unknown}")
     value = default(instance, name) if value is None else value
     text = text or comment(getattr(type(instance), "Set" + name))
+    if "mention" in how:
+        title, names = how["mention"]
+        text += f" {title}: {', '.join(names())}."
     low, high = bounds(instance, name)
     low, high = (how.get("low") if low is None else low), (how.get("high") if high is None else high)
     first = value[0] if isinstance(value, (tuple, list)) else value

@@ -3,10 +3,13 @@ bounds and texts come from the classes."""
 
 from dataclasses import dataclass, field
 
+import brdflab
+
 ANGLE = {"low": -360.0, "high": 360.0}
 POLAR = {"low": 0.0, "high": 89.9}
 ADVANCED = {"advanced": True}
 TRANSFORMS = {"choices": ["none", "cuberoot", "log", "logfloor"]}
+LOBES = {"mention": ("Lobes", lambda: brdflab.names("lobes"))}
 CHANNELS = {
     "Channel": {},
     "Illuminant": ADVANCED,
@@ -39,8 +42,8 @@ class Proxy:
 MATERIAL = ("Input", 0, None, False)
 
 SOURCES = [
-    Proxy("BRDFMaterial", "vtkBRDFSource", {"Material": {"lines": True}}),
-    Proxy("BRDFObject", "vtkBRDFObjectSource", {"Object": {}}),
+    Proxy("BRDFMaterial", "vtkBRDFSource", {"Material": {"lines": True} | LOBES}),
+    Proxy("BRDFObject", "vtkBRDFObjectSource", {"Object": {"mention": ("Shapes", lambda: brdflab.vtkBRDFObjectSource.GetShapeNames().split())}}),
 ]
 
 READERS = [
@@ -170,7 +173,7 @@ FILTERS = [
         "BRDFFit",
         "vtkBRDFFit",
         {
-            "Lobes": {},
+            "Lobes": LOBES,
             "Metric": {"names": "metrics"},
             "Optimizer": {"names": "optimizers"},
             "Constraints": {},
