@@ -74,7 +74,9 @@ void ExpectSame(const std::string& name, const Microsurface& surface, const Grid
       const Estimate a = cpu.tally().outcome(outcome, c), b = gpu.tally().outcome(outcome, c);
       EXPECT_NEAR(a.value, b.value, kSigmas * std::hypot(a.error, b.error) + 1e-4) << static_cast<int>(outcome);
     }
-    EXPECT_LT(gpu.tally().outcome(Outcome::Lost, c).value, 3e-4);
+    // Nothing falls through a height field; elsewhere a ray of thousands may meet an edge within rounding.
+    const bool field = std::holds_alternative<HeightField>(surface.shape);
+    EXPECT_LE(gpu.tally().outcome(Outcome::Lost, c).value, field ? 0 : 3e-4);
     double chi2 = 0;
     int bins = 0;
     for (std::size_t b = 0; b < cpu.bins().count(); ++b)
