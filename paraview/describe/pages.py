@@ -29,8 +29,8 @@ EXTRA = {"spectrum_directions": spectrum_directions}
 
 
 def input_of(name, port, data_type, optional):
-    if data_type is None:
-        domain = element("BRDFDomain", name="input_type")
+    if data_type is None or data_type.startswith("vtkBRDF"):
+        domain = element("BRDFDomain", name="input_type", data_type=data_type)
     else:
         domain = element("DataTypeDomain", element("DataType", value=data_type), name="input_type")
     groups = element("ProxyGroupDomain", *[element("Group", name=g) for g in ("sources", "filters")], name="groups")

@@ -17,26 +17,36 @@
 
 vtkStandardNewMacro(vtkBRDFSurfaceMaterial);
 
-vtkBRDFSurfaceMaterial::vtkBRDFSurfaceMaterial() { this->SetNumberOfInputPorts(2); }
+vtkBRDFSurfaceMaterial::vtkBRDFSurfaceMaterial()
+{
+  this->SetNumberOfInputPorts(2);
+}
 
 vtkBRDFSurfaceMaterial::~vtkBRDFSurfaceMaterial() = default;
 
-vtkPolyData* vtkBRDFSurfaceMaterial::GetOutput() { return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0)); }
+vtkPolyData* vtkBRDFSurfaceMaterial::GetOutput()
+{
+  return vtkPolyData::SafeDownCast(this->GetOutputDataObject(0));
+}
 
-int vtkBRDFSurfaceMaterial::FillInputPortInformation(int port, vtkInformation* info) {
-  if (port == 0) {
+int vtkBRDFSurfaceMaterial::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     return 1;
   }
   return this->Superclass::FillInputPortInformation(port, info);
 }
 
-int vtkBRDFSurfaceMaterial::FillOutputPortInformation(int, vtkInformation* info) {
+int vtkBRDFSurfaceMaterial::FillOutputPortInformation(int, vtkInformation* info)
+{
   info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
   return 1;
 }
 
-int vtkBRDFSurfaceMaterial::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) {
+int vtkBRDFSurfaceMaterial::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
   auto* surface = vtkPolyData::GetData(inputs[0]);
   const auto brdf = GetInputBrdf(inputs, 1);
   auto* output = vtkPolyData::GetData(outputs);

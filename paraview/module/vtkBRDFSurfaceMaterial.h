@@ -1,7 +1,7 @@
 #ifndef vtkBRDFSurfaceMaterial_h
 #define vtkBRDFSurfaceMaterial_h
 #include "vtkBRDFAlgorithm.h"
-#include "vtkBRDFParaViewModule.h"  // For export macro
+#include "vtkBRDFParaViewModule.h" // For export macro
 
 class vtkPolyData;
 
@@ -15,8 +15,9 @@ class vtkPolyData;
  * another process than the one that made the material; data of surfaces are what it brings there. The representation
  * "BRDF under light" (vtkBRDFSurfaceRepresentation) draws it.
  */
-class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceMaterial : public vtkBRDFAlgorithm {
- public:
+class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceMaterial : public vtkBRDFAlgorithm
+{
+public:
   static vtkBRDFSurfaceMaterial* New();
   vtkTypeMacro(vtkBRDFSurfaceMaterial, vtkBRDFAlgorithm);
 
@@ -25,14 +26,14 @@ class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceMaterial : public vtkBRDFAlgorithm {
   /** Name of the array of bytes. */
   static const char* GetArrayName() { return "vtkBRDF.container"; }
 
- protected:
+protected:
   vtkBRDFSurfaceMaterial();
   ~vtkBRDFSurfaceMaterial() override;
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
- private:
+private:
   vtkBRDFSurfaceMaterial(const vtkBRDFSurfaceMaterial&) = delete;
   void operator=(const vtkBRDFSurfaceMaterial&) = delete;
 };

@@ -1,9 +1,9 @@
 #ifndef vtkBRDFSurfaceRepresentation_h
 #define vtkBRDFSurfaceRepresentation_h
-#include <string>                   // For std::string
-#include "vtkBRDFParaViewModule.h"  // For export macro
+#include "vtkBRDFParaViewModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkNew.h"  // For vtkNew
+#include "vtkNew.h" // For vtkNew
+#include <string>   // For std::string
 
 class vtkBRDF;
 class vtkBRDFEnvironment;
@@ -19,8 +19,9 @@ class vtkPolyData;
  * colours, textures, opacity and level of detail have no meaning here. Scene lights of the view
  * shine besides; ParaView's light kit, which goes with the camera, only where there is no environment.
  */
-class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceRepresentation : public vtkGeometryRepresentationWithFaces {
- public:
+class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceRepresentation : public vtkGeometryRepresentationWithFaces
+{
+public:
   static vtkBRDFSurfaceRepresentation* New();
   vtkTypeMacro(vtkBRDFSurfaceRepresentation, vtkGeometryRepresentationWithFaces);
   void PrintSelf(ostream& os, vtkIndent indent) override;
@@ -67,11 +68,11 @@ class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceRepresentation : public vtkGeometryRe
 
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
 
- protected:
+protected:
   vtkBRDFSurfaceRepresentation();
   ~vtkBRDFSurfaceRepresentation() override;
 
- private:
+private:
   vtkBRDFSurfaceRepresentation(const vtkBRDFSurfaceRepresentation&) = delete;
   void operator=(const vtkBRDFSurfaceRepresentation&) = delete;
 
@@ -83,7 +84,7 @@ class VTKBRDFPARAVIEW_EXPORT vtkBRDFSurfaceRepresentation : public vtkGeometryRe
   vtkNew<vtkBRDF> Material;
   std::string EnvironmentFile;
   std::string ErrorText;
-  vtkDataObject* Drawn = nullptr;  // the piece that the mapper has, not owned: compared only
+  vtkDataObject* Drawn = nullptr; // the piece that the mapper has, not owned: compared only
   vtkMTimeType DrawnTime = 0;
 };
 #endif

@@ -1,6 +1,6 @@
 #ifndef vtkSMBRDFNamesDomain_h
 #define vtkSMBRDFNamesDomain_h
-#include "vtkBRDFParaViewModule.h"  // For export macro
+#include "vtkBRDFParaViewModule.h" // For export macro
 #include "vtkSMStringListDomain.h"
 
 /**
@@ -10,17 +10,18 @@
  * In XML: <BRDFNamesDomain name="names" kind="metrics"/>, a kind of vtkBRDFRegistry; `first` (optional): names that
  * come before, separated by blanks.
  */
-class VTKBRDFPARAVIEW_EXPORT vtkSMBRDFNamesDomain : public vtkSMStringListDomain {
- public:
+class VTKBRDFPARAVIEW_EXPORT vtkSMBRDFNamesDomain : public vtkSMStringListDomain
+{
+public:
   static vtkSMBRDFNamesDomain* New();
   vtkTypeMacro(vtkSMBRDFNamesDomain, vtkSMStringListDomain);
 
- protected:
+protected:
   vtkSMBRDFNamesDomain() = default;
   ~vtkSMBRDFNamesDomain() override = default;
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
- private:
+private:
   vtkSMBRDFNamesDomain(const vtkSMBRDFNamesDomain&) = delete;
   void operator=(const vtkSMBRDFNamesDomain&) = delete;
 };

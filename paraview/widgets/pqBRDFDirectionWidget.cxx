@@ -8,7 +8,8 @@
 #include <QFormLayout>
 
 pqBRDFDirectionWidget::pqBRDFDirectionWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent)
-    : pqInteractivePropertyWidget("representations", "BRDFDirectionWidgetRepresentation", proxy, group, parent) {
+  : pqInteractivePropertyWidget("representations", "BRDFDirectionWidgetRepresentation", proxy, group, parent)
+{
   this->setShowLabel(false);
   auto* layout = new QFormLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -18,14 +19,16 @@ pqBRDFDirectionWidget::pqBRDFDirectionWidget(vtkSMProxy* proxy, vtkSMPropertyGro
   visible->setChecked(true);
   layout->addRow(visible);
   this->connect(visible, &QCheckBox::toggled, this, &pqBRDFDirectionWidget::setWidgetVisible);
-  this->connect(this, &pqBRDFDirectionWidget::widgetVisibilityToggled, visible,
-                [visible](bool on) { visible->setChecked(on); });
+  this->connect(
+    this, &pqBRDFDirectionWidget::widgetVisibilityToggled, visible, [visible](bool on) { visible->setChecked(on); });
   this->setWidgetVisible(true);
 }
 
-void pqBRDFDirectionWidget::addSlider(const char* function, double low, double high) {
+void pqBRDFDirectionWidget::addSlider(const char* function, double low, double high)
+{
   vtkSMProperty* property = this->propertyGroup()->GetProperty(function);
-  if (!property) {
+  if (!property)
+  {
     return;
   }
   auto* slider = new pqDoubleRangeWidget(this);

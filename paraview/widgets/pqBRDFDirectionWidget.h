@@ -7,17 +7,18 @@
  * is dragged over the unit hemisphere (vtkBRDFDirectionWidget). In XML: a PropertyGroup with
  * panel_widget="BRDFDirection" and properties of the functions Theta and Phi, in degrees.
  */
-class pqBRDFDirectionWidget : public pqInteractivePropertyWidget {
+class pqBRDFDirectionWidget : public pqInteractivePropertyWidget
+{
   Q_OBJECT
 
- public:
+public:
   pqBRDFDirectionWidget(vtkSMProxy* proxy, vtkSMPropertyGroup* group, QWidget* parent = nullptr);
 
- protected Q_SLOTS:
+protected Q_SLOTS:
   /** The hemisphere stays where it is, whatever the data. */
   void placeWidget() override {}
 
- private:
+private:
   Q_DISABLE_COPY(pqBRDFDirectionWidget)
 
   void addSlider(const char* function, double low, double high);
