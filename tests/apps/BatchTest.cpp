@@ -76,7 +76,7 @@ TEST(Batch, DoesEveryCombinationAsFitDoesAndKeepsItInTheContainer) {
         EXPECT_EQ(kept, own) << target << lobes << metric;
         const brdf::FitReport stored = brdf::loadFit(container, entry);
         EXPECT_EQ(stored.error, own["error"].get<double>());
-        EXPECT_EQ(stored.material->description(), own["material"]);
+        EXPECT_EQ(stored.material->description(), own["material"].get<std::string>());
         ++entry;
       }
   EXPECT_EQ(report["results"][4]["target"], "second");
