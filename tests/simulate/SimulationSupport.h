@@ -8,7 +8,7 @@
 
 namespace brdf::testing {
 
-inline Microsurface surfaceOf(decltype(Microsurface::shape) shape, const std::vector<std::string>& facets) {
+inline Microsurface facetedSurface(decltype(Microsurface::shape) shape, const std::vector<std::string>& facets) {
   Microsurface surface{std::move(shape), {}, {}, "test surface"};
   for (const std::string& text : facets) surface.facets.push_back(parseFacet(text));
   surface.channels = facetChannels(surface.facets);

@@ -10,12 +10,14 @@
 namespace brdf {
 namespace {
 
-using testing::isotropicLayout, testing::simulated, testing::surfaceOf, testing::wavyField;
+using testing::isotropicLayout, testing::simulated, testing::facetedSurface, testing::wavyField;
 
 constexpr double kSigmas = 5;
 
 /// A case with everything that chance decides: splitting, roulette, colours that part, absorption.
-Microsurface colouredGlass() { return surfaceOf(wavyField(2), {"dielectric(eta=1.45 1.5 1.6, absorption=0.1 0.5 2)"}); }
+Microsurface colouredGlass() {
+  return facetedSurface(wavyField(2), {"dielectric(eta=1.45 1.5 1.6, absorption=0.1 0.5 2)"});
+}
 
 TEST(SimulationStatistics, ThreadsChangeNothing) {
   const Microsurface surface = colouredGlass();
@@ -75,7 +77,7 @@ TEST(SimulationStatistics, SeedsAreIndependentAndTheErrorsAreTheirScatter) {
 }
 
 TEST(SimulationStatistics, FourTimesTheRaysHalveTheError) {
-  const Microsurface surface = surfaceOf(wavyField(1), {"lambertian(albedo=0.7)"});
+  const Microsurface surface = facetedSurface(wavyField(1), {"lambertian(albedo=0.7)"});
   const LobeSimulation few = simulated(surface, isotropicLayout({30}), 30, 0, 50'000);
   const LobeSimulation many = simulated(surface, isotropicLayout({30}), 30, 0, 200'000);
   EXPECT_NEAR(few.noise() / many.noise(), 2, 0.05);
@@ -83,7 +85,7 @@ TEST(SimulationStatistics, FourTimesTheRaysHalveTheError) {
 }
 
 TEST(SimulationStatistics, RaysAreAddedUntilTheToleranceIsMet) {
-  const Microsurface surface = surfaceOf(wavyField(1), {"lambertian(albedo=0.7)"});
+  const Microsurface surface = facetedSurface(wavyField(1), {"lambertian(albedo=0.7)"});
   GonioreflectometerOptions options;
   options.layout = isotropicLayout({0, 40});
   options.tolerance = 0.02;
@@ -108,7 +110,7 @@ TEST(SimulationStatistics, RaysAreAddedUntilTheToleranceIsMet) {
 TEST(SimulationStatistics, LightCutByTheBouncesIsLostAndNothingElse) {
   // A white cavity, two bounces: what would bounce more often is lost, and the lost light says that it did not
   // converge.
-  const Microsurface surface = surfaceOf(testing::vGrooves(), {"lambertian(albedo=1)"});
+  const Microsurface surface = facetedSurface(testing::vGrooves(), {"lambertian(albedo=1)"});
   GonioreflectometerOptions options;
   options.layout = isotropicLayout({20});
   options.tolerance = 0.05;
@@ -122,7 +124,7 @@ TEST(SimulationStatistics, LightCutByTheBouncesIsLostAndNothingElse) {
 }
 
 TEST(SimulationStatistics, StoppingKeepsWhatIsDone) {
-  const Microsurface surface = surfaceOf(wavyField(1), {"mirror"});
+  const Microsurface surface = facetedSurface(wavyField(1), {"mirror"});
   GonioreflectometerOptions options;
   options.layout = isotropicLayout({0, 20, 40});
   options.progress = [](const GonioreflectometerProgress& progress) { return progress.done < 2; };
@@ -136,7 +138,7 @@ TEST(SimulationStatistics, StoppingKeepsWhatIsDone) {
 }
 
 TEST(SimulationStatistics, OptionsOutOfRangeAreRefused) {
-  const Microsurface surface = surfaceOf(testing::flatField(), {"mirror"});
+  const Microsurface surface = facetedSurface(testing::flatField(), {"mirror"});
   const auto refused = [&](auto change) {
     GonioreflectometerOptions options;
     options.layout = isotropicLayout({0, 20});

@@ -6,14 +6,16 @@
 namespace brdf {
 namespace {
 
-using testing::anisotropicLayout, testing::flatField, testing::isotropicLayout, testing::simulated, testing::surfaceOf;
+using testing::anisotropicLayout, testing::flatField, testing::isotropicLayout, testing::simulated,
+    testing::facetedSurface;
 
 // Standard errors allowed a figure: 5 sigma happen once in 1.7 million.
 constexpr double kSigmas = 5;
 
 TEST(Transport, AFlatMirrorIsSpecularExactly) {
   for (const double theta : {0.0, 30.0, 60.0, 89.9}) {
-    const auto lobe = simulated(surfaceOf(flatField(3), {"mirror"}), anisotropicLayout({theta}, {20}), theta, 20, 4096);
+    const auto lobe =
+        simulated(facetedSurface(flatField(3), {"mirror"}), anisotropicLayout({theta}, {20}), theta, 20, 4096);
     const EnergyBalance balance = lobe.balance();
     EXPECT_EQ(balance.specularReflected[0].value, 1) << theta;
     EXPECT_EQ(balance.reflected[0].value, 1) << theta;
@@ -23,8 +25,8 @@ TEST(Transport, AFlatMirrorIsSpecularExactly) {
 }
 
 TEST(Transport, FlatConductorsAndDielectricsAreFresnel) {
-  const Microsurface gold = surfaceOf(flatField(), {"conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)"});
-  const Microsurface glass = surfaceOf(flatField(), {"dielectric(eta=1.5)"});
+  const Microsurface gold = facetedSurface(flatField(), {"conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)"});
+  const Microsurface glass = facetedSurface(flatField(), {"dielectric(eta=1.5)"});
   for (const double theta : {0.0, 45.0, 80.0, 89.9}) {
     const double c = std::cos(radians(theta));
     const auto metal = simulated(gold, isotropicLayout({theta}), theta, 0, 2048).balance();
@@ -43,7 +45,7 @@ TEST(Transport, FlatConductorsAndDielectricsAreFresnel) {
 }
 
 TEST(Transport, AFlatLambertianSurfaceIsAlbedoOverPi) {
-  const Microsurface surface = surfaceOf(flatField(), {"lambertian(albedo=0.6 0.3 0)"});
+  const Microsurface surface = facetedSurface(flatField(), {"lambertian(albedo=0.6 0.3 0)"});
   for (const double theta : {0.0, 70.0}) {
     constexpr std::uint64_t rays = 500'000;
     const auto lobe = simulated(surface, anisotropicLayout({theta}, {0}), theta, 0, rays);
@@ -80,7 +82,7 @@ TEST(Transport, GroovesOf45DegreesSendLightBack) {
   for (const double theta : {7.5, 22.5, 42.5}) {
     constexpr std::uint64_t rays = 100'000;
     const auto lobe =
-        simulated(surfaceOf(testing::vGrooves(), {"mirror"}), anisotropicLayout({theta}, {0}), theta, 0, rays);
+        simulated(facetedSurface(testing::vGrooves(), {"mirror"}), anisotropicLayout({theta}, {0}), theta, 0, rays);
     const double t = std::tan(radians(theta)), sigma = std::sqrt(t * (1 - t) / rays);
     const std::size_t back = lobe.bins().find(fromSpherical(radians(theta), 0));
     const std::size_t past = lobe.bins().find(fromSpherical(radians(90 - theta), 0));
@@ -99,14 +101,15 @@ TEST(Transport, LosslessSurfacesKeepAllLight) {
     const char* name;
     Microsurface surface;
   };
-  for (const Case& c : {Case{"mirror", surfaceOf(testing::wavyField(3), {"mirror"})},
-                        Case{"white", surfaceOf(testing::wavyField(3), {"lambertian(albedo=1)"})},
-                        Case{"glass", surfaceOf(testing::wavyField(3), {"dielectric(eta=1.5)"})},
-                        Case{"three glasses", surfaceOf(testing::wavyField(1), {"dielectric(eta=1.4 1.5 1.6)"})},
-                        Case{"lossless metal", surfaceOf(testing::wavyField(3), {"conductor(eta=0, k=2)"})},
-                        Case{"glass on mirror", surfaceOf(packing, {"dielectric(eta=1.5)", "mirror"})},
-                        Case{"mirrors in water", surfaceOf(packing, {"mirror", "dielectric(eta=1.33)"})},
-                        Case{"glass on water", surfaceOf(packing, {"dielectric(eta=1.5)", "dielectric(eta=1.33)"})}})
+  for (const Case& c :
+       {Case{"mirror", facetedSurface(testing::wavyField(3), {"mirror"})},
+        Case{"white", facetedSurface(testing::wavyField(3), {"lambertian(albedo=1)"})},
+        Case{"glass", facetedSurface(testing::wavyField(3), {"dielectric(eta=1.5)"})},
+        Case{"three glasses", facetedSurface(testing::wavyField(1), {"dielectric(eta=1.4 1.5 1.6)"})},
+        Case{"lossless metal", facetedSurface(testing::wavyField(3), {"conductor(eta=0, k=2)"})},
+        Case{"glass on mirror", facetedSurface(packing, {"dielectric(eta=1.5)", "mirror"})},
+        Case{"mirrors in water", facetedSurface(packing, {"mirror", "dielectric(eta=1.33)"})},
+        Case{"glass on water", facetedSurface(packing, {"dielectric(eta=1.5)", "dielectric(eta=1.33)"})}})
     for (const double theta : {0.0, 40.0, 85.0}) {
       const auto balance = simulated(c.surface, isotropicLayout({theta}), theta, 0, 40'000).balance();
       for (std::size_t k = 0; k < balance.sum.size(); ++k) {
@@ -128,7 +131,7 @@ TEST(Transport, AbsorptionInsideFollowsBeerAndLambert) {
                  1};
   const double R = 0.04;
   for (const double a : {0.0, 0.05, 1.0}) {
-    const auto balance = simulated(surfaceOf(slab, {"dielectric(eta=1.5, absorption=" + std::to_string(a) + ")"}),
+    const auto balance = simulated(facetedSurface(slab, {"dielectric(eta=1.5, absorption=" + std::to_string(a) + ")"}),
                                    isotropicLayout({0}), 0, 0, 200'000)
                              .balance();
     const double A = std::exp(-2 * a), inside = (1 - R) * (1 - R) / (1 - R * R * A * A);
@@ -143,7 +146,7 @@ TEST(Transport, AbsorptionInsideFollowsBeerAndLambert) {
 
 TEST(Transport, AMaterialOnFacetsIsThatMaterial) {
   // A flat surface of a material measures as that material: the mean over each bin, here by midpoints.
-  const Microsurface surface = surfaceOf(flatField(), {"scattering(0.3*Lambertian + GGX(alpha=0.3, ior=1.5))"});
+  const Microsurface surface = facetedSurface(flatField(), {"scattering(0.3*Lambertian + GGX(alpha=0.3, ior=1.5))"});
   const GridLayout layout = anisotropicLayout({40}, {0});
   const auto lobe = simulated(surface, layout, 40, 0, 1'000'000);
   const Direction wi = fromSpherical(radians(40.0), 0);

@@ -10,7 +10,7 @@
 namespace brdf {
 namespace {
 
-using testing::simulated, testing::surfaceOf;
+using testing::simulated, testing::facetedSurface;
 using Q = AxisQuantity;
 
 constexpr double kSigmas = 5;
@@ -84,7 +84,7 @@ TEST(SimulationValidation, DiluteMirrorSpheresScatterUniformly) {
   // of area A: of light at theta the share pi r^2 / (A cos theta) meets it; what meets a second one is of the second
   // order in that share.
   constexpr double r = 1, side = 60;
-  const Microsurface surface = surfaceOf(SpherePacking{{{{5, 7, 3}, 1}}, side, side, false}, {"mirror"});
+  const Microsurface surface = facetedSurface(SpherePacking{{{{5, 7, 3}, 1}}, side, side, false}, {"mirror"});
   // Bins of equal solid angle: cos(theta_o) from 1 to 0.35, below which light may meet another sphere.
   const GridLayout layout{Parametrisation::Spherical,
                           {GridAxis::uniformCells(Q::ThetaO, 0, std::acos(0.35), 5, AxisScale::Cosine),
@@ -135,7 +135,7 @@ TEST(SimulationValidation, LightAndViewerMayChangePlaces) {
   const std::array<std::array<double, 2>, 3> directions{{{20, 0}, {35, 160}, {65, 250}}};
   for (const char* facet : {"lambertian(albedo=0.9)", "conductor(eta=0.2, k=3.9)",
                             "scattering(0.5*Lambertian + GGX(alpha=0.5, ior=1.5))", "dielectric(eta=1.5)"}) {
-    const Microsurface surface = surfaceOf(testing::wavyField(0.8, 48), {facet});
+    const Microsurface surface = facetedSurface(testing::wavyField(0.8, 48), {facet});
     const auto transport = std::shared_ptr<Transport>(makeTransport("cpu", surface));
     for (std::size_t a = 0; a < directions.size(); ++a)
       for (std::size_t b = 0; b < a; ++b) {

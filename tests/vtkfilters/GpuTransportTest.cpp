@@ -16,7 +16,7 @@
 namespace {
 using namespace brdf;
 using brdf::testing::anisotropicLayout, brdf::testing::flatField, brdf::testing::isotropicLayout,
-    brdf::testing::surfaceOf, brdf::testing::wavyField;
+    brdf::testing::facetedSurface, brdf::testing::wavyField;
 
 // Standard errors allowed a figure: 5 sigma happen once in 1.7 million.
 constexpr double kSigmas = 5;
@@ -121,8 +121,8 @@ TEST(GpuTransport, RandomNumbersArePhilox) {
 
 TEST(GpuTransport, AFlatMirrorIsSpecularExactly) {
   const TiledMesh mesh = MeshOf(flatField(3));
-  for (const Microsurface& surface : {surfaceOf(flatField(3), {"mirror"}), surfaceOf(mesh, {"mirror"}),
-                                      surfaceOf(SpherePacking{{}, 1, 1, true}, {"mirror", "mirror"})})
+  for (const Microsurface& surface : {facetedSurface(flatField(3), {"mirror"}), facetedSurface(mesh, {"mirror"}),
+                                      facetedSurface(SpherePacking{{}, 1, 1, true}, {"mirror", "mirror"})})
     for (const double theta : {0.0, 30.0, 60.0, 89.9}) {
       const auto lobe = Lobe("gpu", surface, anisotropicLayout({theta}, {20}), theta, 20, 4096);
       EXPECT_EQ(lobe.balance().specularReflected[0].value, 1) << theta;
@@ -132,8 +132,8 @@ TEST(GpuTransport, AFlatMirrorIsSpecularExactly) {
 }
 
 TEST(GpuTransport, FlatConductorsAndDielectricsAreFresnel) {
-  const Microsurface gold = surfaceOf(flatField(), {"conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)"});
-  const Microsurface glass = surfaceOf(flatField(), {"dielectric(eta=1.5)"});
+  const Microsurface gold = facetedSurface(flatField(), {"conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)"});
+  const Microsurface glass = facetedSurface(flatField(), {"dielectric(eta=1.5)"});
   for (const double theta : {0.0, 45.0, 80.0, 89.9}) {
     const double c = std::cos(radians(theta));
     const auto metal = Lobe("gpu", gold, isotropicLayout({theta}), theta, 0, 2048).balance();
@@ -155,7 +155,7 @@ TEST(GpuTransport, FlatConductorsAndDielectricsAreFresnel) {
 
 TEST(GpuTransport, AFlatLambertianSurfaceIsAlbedoOverPi) {
   constexpr std::uint64_t rays = 200'000;
-  const Microsurface surface = surfaceOf(flatField(), {"lambertian(albedo=0.6)"});
+  const Microsurface surface = facetedSurface(flatField(), {"lambertian(albedo=0.6)"});
   const auto lobe = Lobe("gpu", surface, anisotropicLayout({70}, {0}), 70, 0, rays);
   EXPECT_NEAR(lobe.balance().reflected[0].value, 0.6, 1e-7);
   double chi2 = 0;
@@ -172,8 +172,8 @@ TEST(GpuTransport, GroovesOf45DegreesSendLightBack) {
   // Back: 1 - tan(theta); past the ridge: tan(theta) (tests/simulate/TransportTest.cpp derives them).
   for (const double theta : {7.5, 22.5, 42.5}) {
     constexpr std::uint64_t rays = 50'000;
-    const auto lobe =
-        Lobe("gpu", surfaceOf(brdf::testing::vGrooves(), {"mirror"}), anisotropicLayout({theta}, {0}), theta, 0, rays);
+    const auto lobe = Lobe("gpu", facetedSurface(brdf::testing::vGrooves(), {"mirror"}),
+                           anisotropicLayout({theta}, {0}), theta, 0, rays);
     const double t = std::tan(radians(theta)), sigma = std::sqrt(t * (1 - t) / rays);
     const auto& sums = lobe.tally().reflected.sum;
     const double back = sums[lobe.bins().find(fromSpherical(radians(theta), 0))] / rays;
@@ -195,9 +195,10 @@ TEST(GpuTransport, ASlabAbsorbsByBeerAndLambert) {
                        1};
   const double R = 0.04;
   for (const double a : {0.05, 1.0}) {
-    const auto balance = Lobe("gpu", surfaceOf(slab, {"dielectric(eta=1.5, absorption=" + std::to_string(a) + ")"}),
-                              isotropicLayout({0}), 0, 0, 50'000)
-                             .balance();
+    const auto balance =
+        Lobe("gpu", facetedSurface(slab, {"dielectric(eta=1.5, absorption=" + std::to_string(a) + ")"}),
+             isotropicLayout({0}), 0, 0, 50'000)
+            .balance();
     const double A = std::exp(-2 * a), inside = (1 - R) * (1 - R) / (1 - R * R * A * A);
     EXPECT_NEAR(balance.specularReflected[0].value, R + inside * R * A * A,
                 kSigmas * balance.specularReflected[0].error + 1e-6);
@@ -219,9 +220,9 @@ TEST(GpuTransport, HeightFieldsAnswerLikeTheCpu) {
   for (const double theta : {0.0, 50.0, 89.9}) {
     const GridLayout layout = anisotropicLayout({theta}, {20});
     ExpectSame("gaussian", gaussian, layout, theta, 20, 30'000);
-    ExpectSame("sine", surfaceOf(sine, {"mirror"}), layout, theta, 20, 30'000);
-    ExpectSame("uneven", surfaceOf(uneven, {"mirror"}), layout, theta, 20, 30'000);
-    ExpectSame("steep white", surfaceOf(wavyField(3), {"lambertian(albedo=0.9)"}), layout, theta, 20, 20'000);
+    ExpectSame("sine", facetedSurface(sine, {"mirror"}), layout, theta, 20, 30'000);
+    ExpectSame("uneven", facetedSurface(uneven, {"mirror"}), layout, theta, 20, 30'000);
+    ExpectSame("steep white", facetedSurface(wavyField(3), {"lambertian(albedo=0.9)"}), layout, theta, 20, 20'000);
   }
 }
 
@@ -230,14 +231,14 @@ TEST(GpuTransport, FacetsAnswerLikeTheCpu) {
                             "dielectric(eta=1.4 1.5 1.6)", "lambertian(albedo=0.6 0.3 0)",
                             "scattering(0.3*Lambertian + (0.5, 0.7, 0.9)*GGX(alpha=0.3, ior=1.5))"})
     for (const double theta : {20.0, 80.0})
-      ExpectSame(facet, surfaceOf(wavyField(2), {facet}), anisotropicLayout({theta}, {0}), theta, 0, 20'000);
+      ExpectSame(facet, facetedSurface(wavyField(2), {facet}), anisotropicLayout({theta}, {0}), theta, 0, 20'000);
 }
 
 TEST(GpuTransport, MeshesAnswerLikeTheCpu) {
   const TiledMesh mesh = MeshOf(wavyField(2, 16));
   for (const char* facet : {"mirror", "dielectric(eta=1.5)"})
     for (const double theta : {0.0, 60.0, 89.9})
-      ExpectSame(facet, surfaceOf(mesh, {facet}), anisotropicLayout({theta}, {20}), theta, 20, 20'000);
+      ExpectSame(facet, facetedSurface(mesh, {facet}), anisotropicLayout({theta}, {20}), theta, 20, 20'000);
 }
 
 TEST(GpuTransport, SpheresAnswerLikeTheCpu) {
@@ -251,21 +252,21 @@ TEST(GpuTransport, SpheresAnswerLikeTheCpu) {
     for (const double theta : {0.0, 60.0, 89.9}) {
       const bool substrate = *c.plane != 0;
       ExpectSame(std::string(c.spheres) + " on " + c.plane,
-                 surfaceOf(Packing(substrate), substrate ? std::vector<std::string>{c.spheres, c.plane}
-                                                         : std::vector<std::string>{c.spheres}),
+                 facetedSurface(Packing(substrate), substrate ? std::vector<std::string>{c.spheres, c.plane}
+                                                              : std::vector<std::string>{c.spheres}),
                  anisotropicLayout({theta}, {20}), theta, 20, 10'000);
     }
 }
 
 TEST(GpuTransport, TurnedSurfacesAnswerLikeTheCpu) {
   for (const double theta : {30.0, 75.0})
-    ExpectSame("turned", surfaceOf(wavyField(1), {"mirror"}), isotropicLayout({theta}), theta, 0, 30'000);
+    ExpectSame("turned", facetedSurface(wavyField(1), {"mirror"}), isotropicLayout({theta}), theta, 0, 30'000);
 }
 
 TEST(GpuTransport, WhatIsCutCountsAsLost) {
   TransportOptions options;
   options.bounces = 1;
-  const Microsurface surface = surfaceOf(brdf::testing::vGrooves(), {"mirror"});
+  const Microsurface surface = facetedSurface(brdf::testing::vGrooves(), {"mirror"});
   // Across the grooves at 0 degrees every ray meets both walls; at 26.565 degrees (tan = 1/2) a half.
   EXPECT_EQ(Lobe("gpu", surface, isotropicLayout({0}), 0, 0, 5000, 1, options).balance().lost[0].value, 1);
   const auto balance =
@@ -275,7 +276,7 @@ TEST(GpuTransport, WhatIsCutCountsAsLost) {
 }
 
 TEST(GpuTransport, RaysAreTheSameWhateverTheBatches) {
-  const Microsurface surface = surfaceOf(wavyField(2), {"dielectric(eta=1.5)"});
+  const Microsurface surface = facetedSurface(wavyField(2), {"dielectric(eta=1.5)"});
   const GridLayout layout = anisotropicLayout({40}, {0});
   const auto whole = Lobe("gpu", surface, layout, 40, 0, 30'000, 7);
   auto parts = Lobe("gpu", surface, layout, 40, 0, 1, 7);
@@ -288,7 +289,7 @@ TEST(GpuTransport, RaysAreTheSameWhateverTheBatches) {
 TEST(GpuTransport, ComesAndGoesBesideWindowsAndInThreads) {
   vtkNew<vtkBRDFHeadlessRenderWindow> window;
   window->Render();
-  const Microsurface surface = surfaceOf(wavyField(1, 8), {"mirror"});
+  const Microsurface surface = facetedSurface(wavyField(1, 8), {"mirror"});
   const GridLayout layout = isotropicLayout({30});
   const auto first = Lobe("gpu", surface, layout, 30, 0, 100);
   for (int k = 0; k < 50; ++k)
@@ -313,11 +314,12 @@ TEST(GpuTransport, SaysWhatItCannotTrace) {
     }
     return std::string();
   };
-  Microsurface surface = surfaceOf(Packing(true), {"scattering(Lambertian)", "scattering(GGX(alpha=0.1, ior=1.5))"});
+  Microsurface surface =
+      facetedSurface(Packing(true), {"scattering(Lambertian)", "scattering(GGX(alpha=0.1, ior=1.5))"});
   EXPECT_NE(message(surface).find("one material on facets"), std::string::npos) << message(surface);
   surface.facets[1] = parseFacet("mirror");
   EXPECT_EQ(message(surface), "");
-  auto table = Lobe("cpu", surfaceOf(wavyField(1), {"mirror"}), isotropicLayout({30}), 30, 0, 1000).lobe();
+  auto table = Lobe("cpu", facetedSurface(wavyField(1), {"mirror"}), isotropicLayout({30}), 30, 0, 1000).lobe();
   surface.facets[0].brdf = table;
   EXPECT_NE(message(surface).find("a sum of lobes"), std::string::npos) << message(surface);
 }
