@@ -81,6 +81,12 @@ void addSpecular(Components& components, ComponentKind kind, const Channels& cha
 
 }  // namespace
 
+bool reachesTolerance(const LobeSimulation& lobe, const GonioreflectometerOptions& options) {
+  for (std::size_t c = 0; c < lobe.tally().channels; ++c)
+    if (lobe.tally().outcome(Outcome::Lost, c).value > options.tolerance) return false;
+  return errorOf(lobe, options) <= options.tolerance;
+}
+
 GonioreflectometerResult simulateBrdf(const Microsurface& surface, const GonioreflectometerOptions& options) {
   checkOptions(options);
   const auto start = std::chrono::steady_clock::now();
@@ -119,9 +125,7 @@ GonioreflectometerResult simulateBrdf(const Microsurface& surface, const Goniore
       }
       EnergyBalance balance = lobe->balance();
       balance.phiI = azimuths[a];
-      balance.converged =
-          errorOf(*lobe, options) <= options.tolerance &&
-          std::ranges::all_of(balance.lost, [&](const Estimate& lost) { return lost.value <= options.tolerance; });
+      balance.converged = reachesTolerance(*lobe, options);
       result.balance.push_back(std::move(balance));
       reflected.set(lobe->tally().reflected, lobe->bins(), lobe->tally().rays, t, a);
       transmitted.set(lobe->tally().transmitted, lobe->bins(), lobe->tally().rays, t, a);

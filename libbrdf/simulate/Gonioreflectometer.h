@@ -90,6 +90,9 @@ struct GonioreflectometerOptions {
   std::function<bool(const GonioreflectometerProgress&)> progress{};
 };
 
+/// Whether the lobe has reached the tolerance of these options, with the lost light below it in every channel.
+BRDF_EXPORT bool reachesTolerance(const LobeSimulation& lobe, const GonioreflectometerOptions& options);
+
 struct GonioreflectometerResult {
   std::shared_ptr<const GridBrdf> brdf;  ///< with standard errors; the cells of directions not done are Invalid
   /// Specular reflection and transmission by polar angle of the light (the mean over its azimuths; EnergyBalance has
