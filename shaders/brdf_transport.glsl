@@ -9,6 +9,7 @@ const int BRDF_MIRROR = 0, BRDF_CONDUCTOR = 1, BRDF_DIELECTRIC = 2, BRDF_LAMBERT
 
 uniform sampler2D brdfPositions, brdfDirections, brdfWeights, brdfAbsorbed;
 uniform usampler2D brdfCounts, brdfStates;
+uniform usamplerBuffer brdfSources;    // of rays that go on: their texel before, and their number in the draw that began
 uniform samplerBuffer brdfFacets;      // of each: (kind, medium or -1), then what its kind has by channel
 uniform vec4 brdfMediumIndex[8];       // by channel
 uniform vec4 brdfMediumAbsorption[8];  // by channel, 1 / unit of length
@@ -249,6 +250,13 @@ void main()
 {
   ivec2 at = ivec2(gl_FragCoord.xy);
   int job = at.y * brdfWidth + at.x;
+  bool missing = job >= brdfJobs;
+  if (!brdfBegin && !missing)
+  {
+    ivec2 from = ivec2(texelFetch(brdfSources, job).xy);
+    at = ivec2(from.x % brdfWidth, from.x / brdfWidth);
+    job = from.y;
+  }
   BrdfPath path = brdfNew(job);
   uvec4 random = brdfPhilox(uvec4(path.ray, 0u, 0u), brdfSeed);
   vec2 turn = brdfTurn(random);
@@ -258,7 +266,6 @@ void main()
     path.draws = 1u;
     path.direction.xy = vec2(turn.x * path.direction.x - turn.y * path.direction.y,
       turn.y * path.direction.x + turn.x * path.direction.y);
-    path.state |= job < brdfJobs ? 0u : BRDF_LOST;
   }
   else
   {
@@ -275,6 +282,7 @@ void main()
     path.searches = states.z;
     path.steps = states.w;
   }
+  path.state |= missing ? BRDF_LOST : 0u;
   int steps = brdfSteps;
   while ((path.state & BRDF_ENDED) == 0u && steps > 0)
   {

@@ -11,7 +11,10 @@
 #include <brdf/simulate/gpu/TracedRays.h>
 
 #include <array>
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 class vtkBRDFHeadlessRenderWindow;
 
@@ -30,9 +33,8 @@ public:
 private:
   void SetBatch(const brdf::RayBatch& batch, const brdf::OutgoingBins& bins);
   void TraceChunk(std::uint64_t first, std::size_t rays);
-  void Draw(bool begin, std::size_t jobs);
-  bool ReadStates(std::size_t jobs);
-  void ReadRest(std::size_t jobs);
+  void Draw(bool begin, std::size_t count);
+  void TakeEnded(std::size_t count);
 
   const vtkBRDFTransportScene& Scene;
   vtkNew<vtkBRDFHeadlessRenderWindow> Window; // first: its context holds the rest
@@ -41,7 +43,10 @@ private:
   std::array<std::unique_ptr<vtkBRDFTransportStates>, 2> Sets; // drawn, and drawn from; they take turns
   GLsizei Rows = 0;                                            // of the states
   brdf::TracedRays Traced;
-  std::size_t Jobs = 8192; // of a draw: as many as the device takes quickly
+  brdf::TracedRays Read;                                // of one draw
+  std::vector<std::array<std::uint32_t, 2>> Alive;      // rays that go on: their texels, and their numbers in Traced
+  std::optional<vtkBRDFDeviceName> SourceData, Sources; // the same on the device
+  std::size_t Jobs = 4096;                              // of a draw: as many as the device takes quickly
 };
 
 #endif

@@ -13,7 +13,7 @@ using brdf::Error;
 // Texture units besides those of the states.
 enum Unit : GLint
 {
-  FacetsUnit = 6,
+  FacetsUnit = vtkBRDFTransportProgram::SourcesUnit + 1,
   FirstShapeUnit,
   SecondShapeUnit,
   FirstScatteringUnit
@@ -63,7 +63,7 @@ float At(const std::vector<double>& numbers, std::size_t channel, double otherwi
 }
 }
 
-vtkBRDFTransportProgram::vtkBRDFTransportProgram(const vtkBRDFTransportScene& scene, GLint steps)
+vtkBRDFTransportProgram::vtkBRDFTransportProgram(const vtkBRDFTransportScene& scene)
   : Program(FragmentSource(scene), Outputs())
 {
   this->Program.Use();
@@ -71,9 +71,9 @@ vtkBRDFTransportProgram::vtkBRDFTransportProgram(const vtkBRDFTransportScene& sc
   {
     glUniform1i(this->Program.Uniform(vtkBRDFTransportStates::Textures[k].Input), static_cast<GLint>(k));
   }
+  glUniform1i(this->Program.Uniform("brdfSources"), SourcesUnit);
   glUniform1i(this->Program.Uniform("brdfFacets"), FacetsUnit);
   glUniform1i(this->Program.Uniform("brdfWidth"), vtkBRDFTransportStates::Width);
-  glUniform1i(this->Program.Uniform("brdfSteps"), steps);
   glUniform1i(this->Program.Uniform("brdfParts"), scene.Splits ? 2 : 1);
   glUniform1i(this->Program.Uniform("brdfBounces"), static_cast<GLint>(scene.Bounces));
   glUniform1i(this->Program.Uniform("brdfBelow"), scene.BelowMedium);

@@ -13,8 +13,11 @@
 class vtkBRDFTransportProgram
 {
 public:
-  // Compiles for a scene and takes it to the device; `steps`: of a ray in one draw, at most.
-  vtkBRDFTransportProgram(const vtkBRDFTransportScene& scene, GLint steps);
+  // Unit of the texture buffer brdfSources.
+  static constexpr GLint SourcesUnit = 6;
+
+  // Compiles for a scene and takes it to the device.
+  explicit vtkBRDFTransportProgram(const vtkBRDFTransportScene& scene);
 
   // What facets and media do with the channels that are traced side by side, at most four. Returns the index of
   // refraction of each medium, of the first of these channels.
