@@ -25,14 +25,28 @@ def spectrum_directions(kind):
     )
 
 
-EXTRA = {"spectrum_directions": spectrum_directions}
+def facets(kind):
+    """What the surfaces of vtkBRDFGonioreflectometer are made of: a list of any length."""
+    return element(
+        "StringVectorProperty",
+        documentation(comment(kind.AddFacet)),
+        name="Facets",
+        command="AddFacet",
+        clean_command="RemoveAllFacets",
+        repeat_command=1,
+        number_of_elements_per_command=1,
+    )
+
+
+EXTRA = {"spectrum_directions": spectrum_directions, "facets": facets}
 
 
 def input_of(name, port, data_type, optional):
     if data_type is None or data_type.startswith("vtkBRDF"):
         domain = element("BRDFDomain", name="input_type", data_type=data_type)
     else:
-        domain = element("DataTypeDomain", element("DataType", value=data_type), name="input_type")
+        types = [element("DataType", value=one) for one in data_type.split()]
+        domain = element("DataTypeDomain", *types, name="input_type")
     groups = element("ProxyGroupDomain", *[element("Group", name=g) for g in ("sources", "filters")], name="groups")
     return element(
         "InputProperty",
@@ -62,20 +76,21 @@ def words(name):
     return label
 
 
-def check_settings(proxy, kind):
-    missing = settings(kind) - set(proxy.settings) - set(proxy.left_out)
+def settings_of(proxy, kind):
+    """How every setting of the class is entered: those without a place of their own come last, behind the gear."""
     strange = (set(proxy.settings) | set(proxy.left_out)) - settings(kind)
-    if missing or strange:
-        raise SystemExit(f"describe/proxies.py, {proxy.name}: settings without a place {missing}, that do not exist {strange}")
+    if strange:
+        raise SystemExit(f"describe/proxies.py, {proxy.name}: settings that do not exist: {strange}")
+    rest = sorted(settings(kind) - set(proxy.settings) - set(proxy.left_out))
+    return proxy.settings | {name: {"advanced": True} for name in rest}
 
 
 def proxy_lines(proxy, module, tag="SourceProxy", hints=()):
     """A proxy. Where the class is not wrapped for Python (it needs ParaView) the text is the table's own."""
     kind = getattr(module, proxy.kind, None)
     title, text = brief(kind) if kind else (words(proxy.name), [proxy.text])
-    if kind:
-        check_settings(proxy, kind)
     instance = kind() if kind else None
+    entered = settings_of(proxy, kind) if kind else {}
     shown = list(hints)
     if proxy.view:
         shown.append(element("View", type=proxy.view))
@@ -83,7 +98,7 @@ def proxy_lines(proxy, module, tag="SourceProxy", hints=()):
         tag,
         documentation(" ".join([title + "."] + text), title),
         *[input_of(*one) for one in proxy.inputs],
-        *[property_of(instance, name, how) for name, how in proxy.settings.items()],
+        *[property_of(instance, name, how) for name, how in entered.items()],
         *[EXTRA[name](kind) for name in proxy.extra],
         *[group_of(*group) for group in proxy.groups],
         *[element("OutputPort", name=name, index=k) for k, name in enumerate(proxy.outputs)],
@@ -96,7 +111,8 @@ def proxy_lines(proxy, module, tag="SourceProxy", hints=()):
 
 def many(proxies, module, **how):
     menu = element("ShowInMenu", category="BRDF")
-    return [line for proxy in proxies for line in proxy_lines(proxy, module, hints=(menu,), **how)]
+    there = [proxy for proxy in proxies if proxy.text or hasattr(module, proxy.kind)]
+    return [line for proxy in there for line in proxy_lines(proxy, module, hints=(menu,), **how)]
 
 
 def extensions_of(names):

@@ -7,6 +7,7 @@ from .xml import documentation, element, number, numbers
 # (vtkBRDFRegistry) at run time, with `first` before it; `low`, `high`: the range of a slider where the setter clamps
 # none; `mention`: what the text lists besides, as (title, function that gives names); `enumeration`: texts for 0, 1, ...;
 # `file`: "open" or "save"; `advanced`: behind ParaView's gear; `lines`: a field of several; `show_if`: (property, value).
+LARGEST = 2**31 - 1  # of ParaView's integer properties
 KEYS = {"choices", "names", "first", "low", "high", "enumeration", "file", "advanced", "lines", "show_if", "mention"}
 
 
@@ -36,6 +37,8 @@ def domain(how, value, low, high):
         if "enumeration" in how:
             entries = [element("Entry", text=text, value=k) for k, text in enumerate(how["enumeration"])]
             return element("EnumerationDomain", *entries, name="enum")
+        if high is not None and high > LARGEST:
+            high = None
         if low is None and high is None:
             return []
         if all(isinstance(end, (int, float)) or end is None for end in (low, high)):

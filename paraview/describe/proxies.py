@@ -20,10 +20,13 @@ COLOURS = {name: how for name, how in CHANNELS.items() if name != "Channel"}
 LIGHT = ("Light", ["ThetaI", "PhiI"], "BRDFDirection")
 
 
+DATA = "of surfaces from images and meshes, which are a filter"
+
+
 @dataclass
 class Proxy:
     """A source or filter. `settings`: property name -> how it is entered (properties.KEYS), in the panel's order.
-    `inputs`: (name, port, type, optional) with type None for a BRDF. `left_out`: settings of the class that are no
+    `inputs`: (name, port, types, optional), types None for a BRDF. `left_out`: settings of the class that are no
     property, with the reason. `groups`: (title, properties, panel widget or None). `outputs`: names of several ports."""
 
     name: str
@@ -44,6 +47,10 @@ MATERIAL = ("Input", 0, None, False)
 SOURCES = [
     Proxy("BRDFMaterial", "vtkBRDFSource", {"Material": {"lines": True} | LOBES}),
     Proxy("BRDFObject", "vtkBRDFObjectSource", {"Object": {"mention": ("Shapes", lambda: brdflab.vtkBRDFObjectSource.GetShapeNames().split())}}),
+    Proxy("BRDFWave", "vtkBRDFWaveSource", {"Model": {}}),
+    Proxy(
+        "BRDFMicrosurface", "vtkBRDFMicrosurfaceSource", {"Surface": {}}, left_out={"HeightScale": DATA, "Period": DATA}
+    ),
 ]
 
 READERS = [
@@ -197,6 +204,40 @@ FILTERS = [
             ("Target", ["Channels", "Sampling", "NumberOfSamples", "SolidAngleWeights", "MaximumTheta"], None),
             ("Search", ["Metric", "Optimizer", "Strategy", "Starts", "Seed", "Tolerance", "CrossValidation"], None),
         ],
+    ),
+    Proxy(
+        "BRDFMicrosurfaceFromData",
+        "vtkBRDFMicrosurfaceSource",
+        {"HeightScale": {}, "Period": {"low": 0.0}},
+        [("Input", 0, "vtkImageData vtkPolyData", False)],
+        left_out={"Surface": "of surfaces by name, which are a source"},
+    ),
+    Proxy(
+        "BRDFMicrosurfaceGeometry",
+        "vtkBRDFMicrosurfaceGeometry",
+        {"Tiles": {"low": 1, "high": 100}, "Stride": {}},
+        [("Input", 0, "vtkBRDFMicrosurface", False)],
+        outputs=["Surface", "Heights"],
+    ),
+    Proxy(
+        "BRDFGonioreflectometer",
+        "vtkBRDFGonioreflectometer",
+        {
+            "ThetaI": {},
+            "PhiI": {},
+            "Resolution": {"low": 0.05, "high": 45.0},
+            "Bins": {"choices": ["auto", "spherical", "specular"]},
+            "Tolerance": {"low": 0.0, "high": 1.0},
+            "ToleranceOf": {"choices": ["bins", "albedo"]},
+            "MaximumRays": {},
+            "Bounces": ADVANCED,
+            "Seed": ADVANCED,
+            "Backend": {"choices": ["cpu", "gpu"]},
+        },
+        [("Input", 0, "vtkBRDFMicrosurface", False)],
+        outputs=["BRDF", "Balance"],
+        left_out={"Progressive": "each update has to be asked for", "RaysPerUpdate": "of progressive updates"},
+        extra=["facets"],
     ),
     Proxy(
         "BRDFSurfaceMaterial",
