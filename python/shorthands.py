@@ -95,7 +95,7 @@ def from_function(function, cells=(180, 90, 90), reciprocal=True, wavelengths=No
 
 def names(kind):
     """What there is of a kind: "lobes", "formats", "metrics", "optimizers", "exporters", "presets", "materials",
-    "plugins", "failures" (see vtkBRDFRegistry)."""
+    "surfaces", "plugins", "failures" (see vtkBRDFRegistry)."""
     array = vtkStringArray()
     if not _classes.vtkBRDFRegistry.GetNames(kind, array):
         raise ValueError(f"no such kind: {kind!r}")

@@ -10,6 +10,7 @@
 #include <brdf/io/Presets.h>
 #include <brdf/measured/Format.h>
 #include <brdf/models/Registry.h>
+#include <brdf/simulate/SurfaceKinds.h>
 
 #include <set>
 
@@ -76,6 +77,10 @@ bool vtkBRDFRegistry::GetNames(const std::string& kind, vtkStringArray* names)
   else if (kind == "materials")
   {
     Append(names, brdf::materialKinds(), OwnName);
+  }
+  else if (kind == "surfaces")
+  {
+    Append(names, brdf::surfaceKinds(), OwnName);
   }
   else if (kind == "plugins" || kind == "failures")
   {

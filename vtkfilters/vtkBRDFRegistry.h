@@ -13,8 +13,9 @@ class vtkStringArray;
  *
  * Kinds: "lobes", "formats" (of measured data), "extensions" and "extensions written" (of files
  * that vtkBRDFReader and vtkBRDFWriter take, with the dot),
- * "metrics", "optimizers", "exporters", "presets", "materials" (kinds of materials registered from outside, written
- * NAME:ARGUMENTS), "plugins" (files loaded) and "failures" (plugins and lobes that were left out, and why).
+ * "metrics", "optimizers", "exporters", "presets", "materials" (kinds of materials written NAME:ARGUMENTS: other
+ * programs, wave models, those of plugins), "surfaces" (kinds to simulate), "plugins" (files loaded) and "failures"
+ * (plugins and lobes that were left out, and why).
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFRegistry : public vtkObject
 {

@@ -4,6 +4,7 @@
 #include <brdf/fit/Optimizer.h>
 #include <brdf/material/Brdf.h>
 #include <brdf/measured/Format.h>
+#include <brdf/simulate/SurfaceKinds.h>
 
 #include <string_view>
 
@@ -20,6 +21,9 @@ brdf::OptimizerResult compassSearch(brdf::CostFunction& cost, std::vector<double
 
 /// Text files of our goniometer: a first line "workshop goniometer", then theta_i theta_o phi (degrees) and f (1/sr).
 brdf::Format goniometerFormat();
+
+/// Ridges along y, for simulations of light on them: roofs(slope=15, period=2).
+brdf::SurfaceKind roofsSurface();
 
 /// "DEGREES,MATERIAL": the material on a surface turned about its normal, counter-clockwise seen from above.
 brdf::BrdfPointer turnedBrdf(std::string_view arguments);

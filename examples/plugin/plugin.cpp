@@ -13,6 +13,7 @@ void registerWorkshop(const brdf::PluginContext& context) {
       {"compass", "compass search (Kolda, Lewis, Torczon 2003)", false, false, workshop::compassSearch});
   brdf::registerMaterialKind(
       {"turned", "turned:DEGREES,MATERIAL, a material turned about its normal", workshop::turnedBrdf});
+  brdf::registerSurfaceKind(workshop::roofsSurface());
   auto lobes = context.file;
   brdf::loadModelFolder(lobes.replace_extension(".lobes"));
 }

@@ -46,6 +46,19 @@ MATERIAL = ("Input", 0, None, False)
 
 SOURCES = [
     Proxy("BRDFMaterial", "vtkBRDFSource", {"Material": {"lines": True} | LOBES}),
+    Proxy(
+        "BRDFProgram",
+        "vtkBRDFProgramSource",
+        {
+            "Command": {},
+            "Channels": {},
+            "Symmetry": {"choices": ["anisotropic", "bilateral", "isotropic"]},
+            "Reciprocal": {},
+            "Stay": {},
+            "TimeLimit": {"low": 0.0, "high": 3600.0, "advanced": True},
+            "Processes": {"low": 0, "high": 64, "advanced": True},
+        },
+    ),
     Proxy("BRDFObject", "vtkBRDFObjectSource", {"Object": {"mention": ("Shapes", lambda: brdflab.vtkBRDFObjectSource.GetShapeNames().split())}}),
     Proxy("BRDFWave", "vtkBRDFWaveSource", {"Model": {}}),
     Proxy(

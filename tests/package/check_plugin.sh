@@ -45,6 +45,13 @@ sed -i '$d' flat.gonio
 if "$brdf" info broken.gonio 2>error.txt; then fail "a broken file was read"; fi
 grep -q 'line 66' error.txt
 
+# The surface: light along the normal leaves mirror roofs of slope 15 degrees at 30 degrees across them, and all of it.
+"$brdf" simulate "roofs(slope=15)" --theta-i 0 --phi-i 0 --tolerance 0.1 --out roofs.vtkhdf --quiet
+close "$(value_of roofs.vtkhdf 0,0,30,90)" 0
+awk -v f="$(value_of roofs.vtkhdf 0,0,30,0)" 'BEGIN { exit !(f > 1) }' || fail "mirror roofs send nothing to 30 degrees"
+if "$brdf" simulate "roofs(slope=95)" --out no.vtkhdf 2>error.txt; then fail "roofs of 95 degrees were made"; fi
+grep -q 'roofs.*out of bounds.*found 95' error.txt
+
 # The metric and the optimizer find the parameter that made the target.
 "$brdf" fit "0.2*WorkshopGloss(n=50)" --lobes WorkshopGloss --metric fourth_root --optimizer compass --json fit.json --quiet
 tr -d ' \n' <fit.json | grep '"metric":"fourth_root' >/dev/null
@@ -79,7 +86,7 @@ def names(kind):
     return [array.GetValue(i) for i in range(array.GetNumberOfValues())]
 
 for kind, name in (("lobes", "WorkshopGloss"), ("formats", "goniometer"), ("metrics", "fourth_root"),
-                   ("optimizers", "compass"), ("materials", "turned")):
+                   ("optimizers", "compass"), ("materials", "turned"), ("surfaces", "roofs")):
     assert name in names(kind), (kind, names(kind))
 assert names("failures") == [], names("failures")
 source = brdflab.vtkBRDFSource()

@@ -121,6 +121,33 @@ class Arrays(unittest.TestCase):
             brdflab.from_function(lambda wi, wo: wi, cells=(1, 2, 3))
 
 
+class ProgramSource(unittest.TestCase):
+    def test_values_are_what_the_program_prints(self):
+        made = brdflab.vtkBRDFProgramSource()
+        script = "import sys\nnext(sys.stdin)\nfor line in sys.stdin: print(line.split(chr(44))[2], 2, 3)"
+        made.SetCommand(f"'{sys.executable}' -c '{script}'")
+        self.assertTrue(made.UpdateAndCheck(), made.GetErrorText())
+        values, valid = brdflab.evaluate(made.GetOutput(), [[0.6, 0, 0.8], [0, 0, 1]], [[0, 0, 1], [0, 0, 1]])
+        np.testing.assert_array_equal(values, [[0.8, 2, 3], [1, 2, 3]])
+        self.assertTrue(valid.all())
+        made.SetChannels("450,550,650")
+        self.assertTrue(made.UpdateAndCheck(), made.GetErrorText())
+        self.assertEqual(made.GetOutput().GetNumberOfChannels(), 3)
+
+    def test_its_options_are_those_of_the_material(self):
+        made = brdflab.vtkBRDFProgramSource()
+        made.AddObserver("ErrorEvent", lambda *_: None)
+        self.assertFalse(made.UpdateAndCheck())
+        self.assertIn("no program given", made.GetErrorText())
+        self.assertEqual((made.GetSymmetry(), made.GetTimeLimit(), made.GetProcesses()), ("anisotropic", 300, 0))
+        made.SetCommand("false")
+        self.assertFalse(made.UpdateAndCheck())
+        self.assertIn("ended with exit code 1", made.GetErrorText())
+        made.SetSymmetry("round")
+        self.assertFalse(made.UpdateAndCheck())
+        self.assertIn("isotropic, bilateral, anisotropic", made.GetErrorText())
+
+
 class Slices(unittest.TestCase):
     def test_a_curve_of_a_lambertian_is_a_table_of_one_value(self):
         material = source("0.5*Lambertian")

@@ -242,6 +242,7 @@ TEST(ProgramText, WordsAreSplitWithoutAShellAndReadBack) {
   EXPECT_EQ(again.channels, options.channels);
   EXPECT_EQ(programText(again), programText(options));
   EXPECT_EQ(programText(parseProgram("awk 1")), "awk 1");
+  EXPECT_EQ(programText(parseProgram("-- --stay 1")), "-- --stay 1");
 }
 
 TEST(ProgramText, WhatCannotBeMeantIsRefused) {

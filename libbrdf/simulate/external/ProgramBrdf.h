@@ -25,7 +25,8 @@ struct ProgramOptions {
 /// by blanks; '...' and "..." hold words with blanks together, and a backslash takes the next character as it is
 /// (outside '...'). Nothing else is special: no variables, patterns or redirections. Options: --channels mono, rgb or
 /// wavelengths in nm separated by commas; --symmetry isotropic, bilateral or anisotropic; --reciprocal; --stay;
-/// --time-limit SECONDS; --processes N. Throws Error::Kind::Value.
+/// --time-limit SECONDS; --processes N; -- ends
+/// them. Throws Error::Kind::Value.
 BRDF_EXPORT ProgramOptions parseProgram(std::string_view text);
 /// The text that parseProgram reads as `options`.
 BRDF_EXPORT std::string programText(const ProgramOptions& options);

@@ -91,6 +91,10 @@ ProgramOptions parseProgram(std::string_view text) {
   std::size_t i = 0;
   for (; i < words.size() && words[i].starts_with("--"); ++i) {
     const std::string option = words[i];
+    if (option == "--") {
+      ++i;
+      break;
+    }
     if (option == "--reciprocal") {
       options.reciprocal = true;
       continue;
@@ -135,6 +139,7 @@ std::string programText(const ProgramOptions& options) {
   if (options.stays) text += "--stay ";
   if (options.timeLimit != ProgramOptions().timeLimit) text += "--time-limit " + formatNumber(options.timeLimit) + " ";
   if (options.processes) text += "--processes " + std::to_string(options.processes) + " ";
+  if (!options.command.empty() && options.command[0].starts_with("--")) text += "-- ";
   std::vector<std::string> words;
   for (const std::string& word : options.command) words.push_back(quoted(word));
   return text + joined(words, " ");
