@@ -203,6 +203,7 @@ int vtkBRDFFit::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkI
   options.samples.count = static_cast<std::size_t>(this->NumberOfSamples);
   options.samples.seed = options.seed;
   options.samples.solidAngles = this->SolidAngleWeights;
+  options.samples.noise = this->NoiseWeights;
   options.strategy = Named<brdf::Strategy>("strategy",
                                            this->Strategy,
                                            { { "automatic", brdf::Strategy::Automatic },
@@ -229,6 +230,7 @@ void vtkBRDFFit::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Sampling: " << this->Sampling << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
      << indent << "SolidAngleWeights: " << this->SolidAngleWeights << "\n"
+     << indent << "NoiseWeights: " << this->NoiseWeights << "\n"
      << indent << "Strategy: " << this->Strategy << "\n"
      << indent << "Constraints: " << this->Constraints << "\n"
      << indent << "Progressive: " << this->Progressive << "\n"

@@ -73,6 +73,14 @@ public:
   ///@}
 
   ///@{
+  /** Samples count by 1 / variance: those of tables that carry standard errors, without the others
+   * (docs/fitting.md); excludes SolidAngleWeights; default off. */
+  vtkSetMacro(NoiseWeights, bool);
+  vtkGetMacro(NoiseWeights, bool);
+  vtkBooleanMacro(NoiseWeights, bool);
+  ///@}
+
+  ///@{
   /** Scale factors by linear least squares inside the search ("separable"), searched with the rest ("joint"), or the
    * first where the metric allows it ("automatic", default). */
   vtkSetMacro(Strategy, std::string);
@@ -147,6 +155,7 @@ private:
   std::string Sampling = "automatic";
   int NumberOfSamples = 0;
   bool SolidAngleWeights = false;
+  bool NoiseWeights = false;
   std::string Strategy = "automatic";
   std::string Constraints;
   bool Progressive = false;

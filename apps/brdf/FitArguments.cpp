@@ -73,7 +73,7 @@ void FitArguments::declare(Arguments& arguments) {
   arguments.option("--max-iterations", options_.maximumIterations, {1, 1000000}, "Of each start");
   arguments.option("--max-theta", options_.maximumTheta, {0, 90}, "DEGREES",
                    "Leave out samples with theta_i or theta_o above");
-  samples_.declare(arguments);
+  samples_.declare(arguments, true);
   arguments.option("--cross-validate", options_.crossValidation, {0, 100},
                    "Judge on parts left out, each whole blocks of directions; so many of them, each another fit [0]");
   arguments.option("--fix", fixed_, "NAME=VALUE",

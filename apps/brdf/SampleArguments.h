@@ -11,7 +11,8 @@ class Arguments;
 class SampleArguments {
  public:
   /// Declares --sampling, --samples and --weights, which keep their values here: this object must outlive the parsing.
-  void declare(Arguments& arguments);
+  /// `noise`: with weights by the errors of the samples.
+  void declare(Arguments& arguments, bool noise = false);
 
   /// After parsing. Throws Error::Kind::Usage for options that exclude each other.
   SampleChoice choice(std::uint64_t seed) const;

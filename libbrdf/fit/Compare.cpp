@@ -58,7 +58,7 @@ Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, con
   const bool hasCells = count > 0 && samples.solidAngles(0, 1, &unused);
   std::vector<MetricPointer> metrics;
   for (MetricPointer one : allMetrics()) {
-    if (one->bySolidAngle() && !hasCells) continue;
+    if (one->bySolidAngle() && (!hasCells || rule.noise)) continue;
     if (metric && metric->name() == one->name()) one = metric;
     if (one->needsScale()) one = one->scaledTo(typicalValue(samples, b, rule.maximumTheta));
     metrics.push_back(std::move(one));

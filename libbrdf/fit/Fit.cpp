@@ -198,6 +198,16 @@ void addCriteria(const FitProblem& problem, const std::vector<Group>& groups, Fi
   report.bic = misfit + k * std::log(n);
 }
 
+/// Of weights 1 / variance: what the weighted residuals say of the variances and of the model.
+void addChiSquare(const FitData& data, FitReport& report) {
+  const double count = static_cast<double>(data.samples * data.channels);
+  const double freedom = count - static_cast<double>(report.degrees);
+  if (report.metric != "rms" || !(freedom > 0)) return;
+  const double chiSquare = report.error * report.error * count / data.weightFactor;
+  report.notes.push_back("reduced chi-square " + formatNumber(chiSquare / freedom, 4) + " on " + formatNumber(freedom) +
+                         " degrees of freedom: 1 where the model describes the data and their errors are right");
+}
+
 std::string percent(double fraction) { return formatNumber(100 * fraction, 3) + " %"; }
 
 }  // namespace
@@ -293,6 +303,7 @@ FitReport fit(const Brdf& target, const std::vector<LobeRequest>& requests, cons
   report.error = report.metrics.at(report.metric);
   if (!onSphere) describeResiduals(data, report);
   addCriteria(problem, groups, report);
+  if (samples.rule.noise) addChiSquare(data, report);
   if (options.crossValidation > 0 && !fitter.stopped())
     report.crossValidation = crossValidate(problem, options, separable, data, seen->symmetry(), groups);
   const double zero = report.zeroModel.at(report.metric);

@@ -101,6 +101,9 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
   FitData data;
   data.metric = std::move(metric);
   data.channels = set.channels().count();
+  if (rule.noise && data.metric->bySolidAngle())
+    throw Error(Error::Kind::Value, {"the metric weighs by solid angle, which excludes weights by noise", "metric",
+                                     data.metric->name(), "a metric without weights, such as rms"});
   const bool weighted = rule.solidAngles || data.metric->bySolidAngle();
   const std::size_t count = set.count();
   data.chunks.resize((count + kChunkLength - 1) / kChunkLength);
@@ -133,6 +136,7 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
     }
     const double samples = static_cast<double>(data.samples);
     const double factor = rule.totalWeight || !(sum > 0) ? 1 : samples / sum;
+    data.weightFactor = factor;
     parallelFor(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
         fill(blocks[k], data.chunks[k], factor);

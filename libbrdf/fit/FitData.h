@@ -50,6 +50,7 @@ struct BRDF_EXPORT FitData {
   std::size_t channels = 0;
   /// The squared error of a fit is the sum of squared residuals over this and the number of channels.
   double totalWeight = 0;
+  double weightFactor = 1;  ///< what the set's weights were multiplied by
   /// 1, or in pictures the light directions of a pixel: so many pairs after one another make one residual, that of the
   /// sum of f times FitChunk::light.
   std::size_t pairsAResidual = 1;

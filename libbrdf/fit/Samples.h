@@ -11,6 +11,7 @@ namespace brdf {
 struct SampleRule {
   double maximumTheta = 90;  ///< degrees; samples with theta_i or theta_o above are left out
   bool solidAngles = false;  ///< each counts by SampleSet::solidAngles(), else all alike
+  bool noise = false;        ///< these measures are 1 / variance instead, 1/(1/sr)^2
   /// What the weights add up to where the set knows it better than its samples (importance sampling); else the weights
   /// are scaled to add up to the number of samples.
   std::optional<double> totalWeight;

@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/base/Text.h>
+#include <brdf/fit/NoiseWeights.h>
 #include <brdf/fit/TargetSamples.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/sampling/SampledBrdf.h>
@@ -163,17 +164,26 @@ TargetSamples takeSamples(BrdfPointer brdf, const SampleChoice& choice, double m
     throw Error(Error::Kind::Value, {"number of samples out of bounds", "samples", std::to_string(choice.count),
                                      "at most " + std::to_string(kMostSamples)});
   TargetSamples samples;
-  samples.rule = {maximumTheta, choice.solidAngles, {}};
+  samples.rule = {maximumTheta, choice.solidAngles, false, {}};
   samples.weights = choice.solidAngles ? "solid-angle" : "none";
   const double lowest = maximumTheta >= 90 ? 0 : std::cos(radians(maximumTheta));
   Sampling kind = choice.sampling;
   if (kind == Sampling::Automatic) kind = brdf->samples() ? Sampling::All : Sampling::Hemisphere;
+  if (choice.noise && (kind != Sampling::All || choice.solidAngles))
+    throw Error(Error::Kind::Value, {"weights by noise are for the target's own samples", "sampling",
+                                     brdf->description(), "all samples, without weights by solid angle"});
   if (kind == Sampling::All) {
     samples.set = brdf->samples();
     if (!samples.set)
       throw Error(Error::Kind::Value, {"the target has no samples of its own", "sampling", brdf->description(),
                                        "hemisphere or importance, or measured data"});
     samples.sampling = "all samples of the target";
+    if (choice.noise) {
+      samples.made = std::make_shared<NoiseWeightedSamples>(*samples.set);
+      samples.rule.solidAngles = samples.rule.noise = true;
+      samples.weights = "noise";
+      samples.sampling += " whose error is known";
+    }
   } else if (kind == Sampling::Hemisphere) {
     const double wanted = choice.count > 0 ? std::cbrt(static_cast<double>(choice.count) / 2) : kHemisphereSide;
     const auto side = static_cast<std::size_t>(std::max(2.0, std::round(wanted)));

@@ -13,7 +13,7 @@ struct TargetSamples {
   std::shared_ptr<const SampleSet> made;  ///< what was taken
   SampleRule rule;
   std::string sampling;  ///< for people: which samples
-  std::string weights;   ///< "none", "solid-angle" or "importance"
+  std::string weights;   ///< "none", "solid-angle", "noise" or "importance"
 };
 
 /// The samples that `choice` asks for; `brdf` must outlive them.
@@ -26,6 +26,8 @@ struct TargetSamples {
 ///   (sampling/SampledBrdf.h; the balance heuristic of Veach and Guibas 1995, doi:10.1145/218380.218498). Each counts
 ///   by 1 / density, which is at most 2, relative to uniform draws, so that the mean square is an unbiased estimate of
 ///   the mean over equal solid angles of both hemispheres. Draws beyond maximumTheta count nothing.
+///
+/// Noise weights are for All: fit/NoiseWeights.h.
 ///
 /// Throws Error::Kind::Value for a number of samples out of bounds, a theta limit out of (0, 90], and for All where the
 /// BRDF has no samples.

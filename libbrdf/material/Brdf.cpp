@@ -10,6 +10,7 @@ namespace brdf {
 Brdf::~Brdf() = default;
 SampleSet::~SampleSet() = default;
 bool SampleSet::solidAngles(std::size_t, std::size_t, double*) const { return false; }
+bool SampleSet::standardErrors(std::size_t, std::size_t, double*) const { return false; }
 
 void Brdf::evaluate(const DirectionPairs<float>& pairs, float* values, std::uint8_t* valid) const {
   DirectionPairBuffer<double> wide(pairs.count);

@@ -7,6 +7,7 @@
 #include <brdf/material/TableBrdf.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace brdf {
 
@@ -26,6 +27,20 @@ class ChannelView::View : public SampleSet {
   }
   bool solidAngles(std::size_t first, std::size_t length, double* measures) const override {
     return source_.solidAngles(first, length, measures);
+  }
+  /// The sum of the channels' errors by the magnitude of their weights, which its own never exceeds.
+  bool standardErrors(std::size_t first, std::size_t length, double* errors) const override {
+    const std::size_t inputs = source_.channels().count(), outputs = owner_.channels().count();
+    const auto scratch = std::make_unique_for_overwrite<double[]>(inputs * length);
+    if (!source_.standardErrors(first, length, scratch.get())) return false;
+    std::fill_n(errors, outputs * length, 0.0);
+    for (std::size_t row = 0; row < outputs; ++row)
+      for (std::size_t column = 0; column < inputs; ++column) {
+        const double weight = std::abs(owner_.matrix_[row * inputs + column]);
+        if (weight == 0) continue;
+        for (std::size_t i = 0; i < length; ++i) errors[row * length + i] += weight * scratch[column * length + i];
+      }
+    return true;
   }
 
  private:

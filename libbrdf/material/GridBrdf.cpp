@@ -78,6 +78,12 @@ class GridBrdf::Cells : public SampleSet {
     measures_.read(first, length, measures);
     return true;
   }
+  bool standardErrors(std::size_t first, std::size_t length, double* errors) const override {
+    if (data_->standardError.empty()) return false;
+    for (std::size_t channel = 0; channel < data_->channels.count(); ++channel)
+      std::copy_n(data_->standardError.data() + channel * count() + first, length, errors + channel * length);
+    return true;
+  }
 
  private:
   std::shared_ptr<const GridData> data_;

@@ -26,6 +26,10 @@ class BRDF_EXPORT SampleSet {
   /// What the samples stand for: the measure d omega_i d omega_o of each one's cell, up to a factor common to the set.
   /// Returns false, leaving `measures` alone, when they have no cells (scattered points).
   virtual bool solidAngles(std::size_t first, std::size_t length, double* measures) const;
+
+  /// The standard errors of the values, planar as they are, 1/sr; NaN where unknown. Returns false, leaving `errors`
+  /// alone, when none is known.
+  virtual bool standardErrors(std::size_t first, std::size_t length, double* errors) const;
 };
 
 }  // namespace brdf
