@@ -1,6 +1,7 @@
 #include "vtkBRDFAlgorithm.h"
 
 #include "vtkBRDF.h"
+#include "vtkBRDFMicrosurface.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -12,6 +13,15 @@
 #include <cstring>
 
 using vtkSDDP = vtkStreamingDemandDrivenPipeline;
+
+namespace
+{
+// What every rank has whole.
+bool IsShared(vtkDataObject* data)
+{
+  return vtkBRDF::SafeDownCast(data) || vtkBRDFMicrosurface::SafeDownCast(data);
+}
+}
 
 vtkBRDFAlgorithm::vtkBRDFAlgorithm()
 {
@@ -95,6 +105,11 @@ int vtkBRDFAlgorithm::CreateOutputs(vtkInformationVector* outputs)
       vtkNew<vtkBRDF> output;
       info->Set(vtkDataObject::DATA_OBJECT(), output);
     }
+    if (type && std::strcmp(type, "vtkBRDFMicrosurface") == 0 && !vtkBRDFMicrosurface::GetData(info))
+    {
+      vtkNew<vtkBRDFMicrosurface> output;
+      info->Set(vtkDataObject::DATA_OBJECT(), output);
+    }
   }
   return 1;
 }
@@ -120,18 +135,18 @@ int vtkBRDFAlgorithm::AskForWholeInputs(vtkInformationVector** inputs)
 
 int vtkBRDFAlgorithm::Execute(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  bool makesBrdf = false;
+  bool makesShared = false;
   bool otherRank = false;
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
   {
-    makesBrdf = makesBrdf || vtkBRDF::GetData(outputs, port);
+    makesShared = makesShared || IsShared(vtkDataObject::GetData(outputs, port));
     otherRank = otherRank || outputs->GetInformationObject(port)->Get(vtkSDDP::UPDATE_PIECE_NUMBER()) > 0;
   }
-  const int result = otherRank && !makesBrdf ? 1 : this->RequestData(request, inputs, outputs);
+  const int result = otherRank && !makesShared ? 1 : this->RequestData(request, inputs, outputs);
   for (int port = 0; port < outputs->GetNumberOfInformationObjects() && otherRank; ++port)
   {
     vtkDataObject* output = vtkDataObject::GetData(outputs, port);
-    if (output && !vtkBRDF::SafeDownCast(output))
+    if (output && !IsShared(output))
     {
       output->Initialize();
     }

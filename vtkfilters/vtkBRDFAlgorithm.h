@@ -19,8 +19,9 @@ class Brdf;
  *
  * Does once what all of them need:
  * - Ports: inputs take vtkBRDF; outputs are vtkBRDF unless FillOutputPortInformation of a subclass names another type.
- * - Pieces: a BRDF is wanted whole by every rank, so upstream is asked for piece 0 of 1; a vtkBRDF output is made on
- *   every rank, any other output (geometry, image, table) on rank 0 only and left empty elsewhere.
+ * - Pieces: a BRDF is wanted whole by every rank, so upstream is asked for piece 0 of 1; an output that is a vtkBRDF
+ *   or a vtkBRDFMicrosurface is made on every rank, any other output (geometry, image, table) on rank 0 only and left
+ *   empty elsewhere.
  * - Errors: an exception in RequestData becomes vtkErrorMacro and GetErrorText(), the outputs are emptied and the
  * update fails. No exception leaves the class.
  */

@@ -40,30 +40,6 @@ vtkSmartPointer<vtkFloatArray> Array(const std::vector<brdf::Direction>& values,
   return array;
 }
 
-// VTK's own filters trust corners.
-void RequireCorners(vtkPolyData* surface)
-{
-  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
-  {
-    vtkIdType count = 0;
-    const vtkIdType* corners = nullptr;
-    for (cells->InitTraversal(); cells->GetNextCell(count, corners);)
-    {
-      for (vtkIdType k = 0; k < count; ++k)
-      {
-        if (corners[k] < 0 || corners[k] >= surface->GetNumberOfPoints())
-        {
-          throw brdf::Error(brdf::Error::Kind::Value,
-                            { "a polygon of the object to render has a corner that is no point",
-                              {},
-                              std::to_string(corners[k]),
-                              "0 to " + std::to_string(surface->GetNumberOfPoints() - 1) });
-        }
-      }
-    }
-  }
-}
-
 void RequireFinite(vtkDataArray* array, const char* what)
 {
   for (vtkIdType k = 0; array && k < array->GetNumberOfTuples(); ++k)
@@ -79,6 +55,29 @@ void RequireFinite(vtkDataArray* array, const char* what)
     }
   }
 }
+}
+
+void vtkBRDFSurface::RequireCorners(vtkPolyData* surface)
+{
+  for (vtkCellArray* cells : { surface->GetPolys(), surface->GetStrips() })
+  {
+    vtkIdType count = 0;
+    const vtkIdType* corners = nullptr;
+    for (cells->InitTraversal(); cells->GetNextCell(count, corners);)
+    {
+      for (vtkIdType k = 0; k < count; ++k)
+      {
+        if (corners[k] < 0 || corners[k] >= surface->GetNumberOfPoints())
+        {
+          throw brdf::Error(brdf::Error::Kind::Value,
+                            { "a polygon has a corner that is no point",
+                              {},
+                              std::to_string(corners[k]),
+                              "0 to " + std::to_string(surface->GetNumberOfPoints() - 1) });
+        }
+      }
+    }
+  }
 }
 
 vtkSmartPointer<vtkPolyData> vtkBRDFSurface::UnitSphere()

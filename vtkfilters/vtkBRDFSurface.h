@@ -13,6 +13,9 @@ namespace vtkBRDFSurface
 // normal is off by at most (edge angle)^2 / 8 = 7.5e-5 rad.
 vtkSmartPointer<vtkPolyData> UnitSphere();
 
+// Throws brdf::Error where a corner of a polygon is no point: VTK's own filters trust corners.
+void RequireCorners(vtkPolyData* surface);
+
 // A surface ready to be drawn by either renderer: triangles, with normals and tangents made where it has none (normals
 // splitting edges sharper than 40 degrees; tangents by brdf::addTangents). Throws brdf::Error where there are no
 // polygons with an area, a corner is no point, or a point, normal or tangent is not finite.

@@ -39,6 +39,13 @@ void checkPictureOutputs(const std::vector<std::string>& paths, const std::vecto
   }
 }
 
+MadeSurface surfaceOption(const std::string& expression) {
+  SurfaceReaders readers;
+  readers.mesh = [](const std::filesystem::path& path) { return pictures().surfaceReaders().mesh(path); };
+  readers.picture = [](const std::filesystem::path& path) { return pictures().surfaceReaders().picture(path); };
+  return makeSurface(expression, readers);
+}
+
 const PictureFunctions& pictures() {
   static const PictureFunctions* functions = [] {
     void* module = dlopen("libbrdf_pictures.so", RTLD_NOW | RTLD_LOCAL);

@@ -4,10 +4,12 @@
 #include <brdf/io/Image.h>
 #include <brdf/measured/ReadOptions.h>
 #include <brdf/render/Scene.h>
+#include <brdf/simulate/SurfaceKinds.h>
 
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -195,6 +197,30 @@ struct MontagePicture {
   std::string out;  ///< .png
 };
 
+/// A microsurface.
+struct SurfacePicture {
+  std::shared_ptr<const MadeSurface> surface;
+  std::string title;                                      ///< empty: the picture's own
+  std::size_t tiles = 1;                                  ///< along x and y
+  double azimuth = 25, elevation = 40, exaggeration = 0;  ///< degrees; see vtkBRDFMicrosurfaceView
+  PictureSize size;
+  std::vector<std::string> out;  ///< .png: the picture; .vtp, .ply, .obj, .stl: the mesh; .vti: the heights
+};
+
+/// Curves over one axis.
+struct CurvesPicture {
+  struct Curve {
+    std::string name;
+    std::vector<double> x, y;
+  };
+  std::string title, note, xTitle, yTitle;
+  std::string scale = "linear";  ///< of y, see vtkBRDFPlotView
+  double decades = 6;            ///< of a logarithmic scale at most
+  std::vector<Curve> curves;
+  PictureSize size;
+  std::string out;  ///< .png, .svg, .pdf
+};
+
 /// What the module offers; found there under the name `brdfPictures`.
 struct PictureFunctions {
   LobeResult (*lobe)(const LobePicture&);
@@ -205,6 +231,10 @@ struct PictureFunctions {
   void (*audit)(const AuditPicture&);
   void (*dotPlot)(const DotPlotPicture&);
   void (*montage)(const MontagePicture&);
+  void (*surface)(const SurfacePicture&);
+  void (*curves)(const CurvesPicture&);
+  /// How files that a microsurface names are read: vtkBRDFMicrosurfaceData.
+  SurfaceReaders (*surfaceReaders)();
   /// A shape by name, or a mesh from a file, with normals and tangents: see vtkBRDFObjectSource.
   TriangleMesh (*makeObject)(const std::string& object);
   /// Linear radiance from an OpenEXR, Radiance, PNG or JPEG file; the last two are taken for sRGB.
@@ -222,6 +252,9 @@ struct PictureFunctions {
 
 /// Loads the module on the first call. Throws Error::Kind::Device when it is not there.
 const PictureFunctions& pictures();
+
+/// The surface that an expression means, with files read by the module. Throws what makeSurface does.
+MadeSurface surfaceOption(const std::string& expression);
 
 /// Throws Error::Kind::Usage unless `path` ends with one of `extensions`, and as checkWritable does.
 void checkPictureOutputs(const std::vector<std::string>& paths, const std::vector<std::string>& extensions);

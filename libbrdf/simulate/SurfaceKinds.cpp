@@ -6,12 +6,17 @@
 #include <brdf/simulate/surfaces/BuiltInSurfaces.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace brdf {
 namespace {
 
 std::vector<SurfaceKind>& kinds() {
-  static std::vector<SurfaceKind> all = builtInSurfaceKinds();
+  static std::vector<SurfaceKind> all = [] {
+    std::vector<SurfaceKind> kinds = builtInSurfaceKinds();
+    for (SurfaceKind& kind : kinds) kind.builtIn = true;
+    return kinds;
+  }();
   return all;
 }
 
@@ -30,7 +35,55 @@ void describe(const HeightField& field, std::vector<SurfaceFact>& facts) {
                              {"rms slope along y", statistics.rmsSlopeY, "1"}});
 }
 
+void describe(const TiledMesh& mesh, std::vector<SurfaceFact>& facts) {
+  double lowest = INFINITY, highest = -INFINITY;
+  for (const auto& point : mesh.points) {
+    lowest = std::min<double>(lowest, point[2]);
+    highest = std::max<double>(highest, point[2]);
+  }
+  facts.insert(facts.end(), {{"period along x", mesh.periodX, "um"},
+                             {"period along y", mesh.periodY, "um"},
+                             {"lowest point", lowest, "um"},
+                             {"highest point", highest, "um"},
+                             {"triangles", static_cast<double>(mesh.triangles.size()), "1"}});
+}
+
+void describe(const SpherePacking& packing, std::vector<SurfaceFact>& facts) {
+  facts.insert(facts.end(), {{"period along x", packing.periodX, "um"}, {"period along y", packing.periodY, "um"}});
+}
+
+/// Checks what was made, and lets it speak of itself.
+void complete(MadeSurface& made, const std::string& where) {
+  made.surface.check(where);
+  std::visit([&](const auto& shape) { describe(shape, made.facts); }, made.surface.shape);
+}
+
 }  // namespace
+
+MadeSurface describedSurface(SurfaceShape shape, std::string description) {
+  MadeSurface made;
+  if (std::holds_alternative<SpherePacking>(shape)) made.surface.facets.resize(2);
+  made.surface.shape = std::move(shape);
+  made.surface.description = std::move(description);
+  complete(made, made.surface.description);
+  return made;
+}
+
+void setMissingPeriods(TiledMesh& mesh, const std::string& where) {
+  for (const std::size_t axis : {0, 1}) {
+    double& period = axis == 0 ? mesh.periodX : mesh.periodY;
+    if (period > 0) continue;
+    float low = INFINITY, high = -INFINITY;
+    for (const auto& point : mesh.points) {
+      low = std::min(low, point[axis]);
+      high = std::max(high, point[axis]);
+    }
+    if (!(high > low))
+      throw Error(Error::Kind::Value,
+                  {std::string("no extent along ") + (axis == 0 ? "x" : "y"), where, {}, "a period"});
+    period = double{high} - double{low};
+  }
+}
 
 const std::vector<SurfaceKind>& surfaceKinds() {
   plugins();
@@ -68,10 +121,7 @@ MadeSurface makeSurface(std::string_view expression, const SurfaceReaders& reade
   const SurfaceArguments arguments(call, kind.parameters, kind.texts);
   MadeSurface made = kind.make(arguments, readers);
   made.surface.description = arguments.expression();
-  if (const auto* field = std::get_if<HeightField>(&made.surface.shape)) {
-    field->check(arguments.where());
-    describe(*field, made.facts);
-  }
+  complete(made, arguments.where());
   return made;
 }
 

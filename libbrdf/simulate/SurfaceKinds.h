@@ -25,6 +25,15 @@ struct MadeSurface {
   std::vector<SurfaceFact> facts{};
 };
 
+using SurfaceShape = decltype(Microsurface::shape);
+
+/// A surface of someone's own shape, with its facts. Throws what checking it does.
+BRDF_EXPORT MadeSurface describedSurface(SurfaceShape shape, std::string description);
+
+/// Gives a mesh the extent of its points as period along the axes where that is 0. Throws Error::Kind::Value, naming
+/// `where`, for a mesh without points or extent.
+BRDF_EXPORT void setMissingPeriods(TiledMesh& mesh, const std::string& where);
+
 /// How files that a surface names are read. Without `mesh`, surfaces from meshes are Error::Kind::Value; without
 /// `picture`, pictures are read by readImage (OpenEXR, Radiance).
 struct SurfaceReaders {
@@ -43,6 +52,7 @@ struct SurfaceKind {
   /// Makes shape, facts and, of more than one facet, facets. Throws brdf::Error; its messages begin with
   /// SurfaceArguments::where(). What it makes is checked (Microsurface::check).
   std::function<MadeSurface(const SurfaceArguments&, const SurfaceReaders&)> make{};
+  bool builtIn = false;  ///< comes with BRDFLab; set by the registry
 };
 
 /// Adds a kind; replaces one of the same name. Throws Error::Kind::Value for a name that is none, and for a kind that

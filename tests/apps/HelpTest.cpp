@@ -6,12 +6,13 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models", "info",     "eval",     "convert", "export", "fit",
-                                            "batch",  "compare",  "check",    "lobe",    "slice",  "error",
-                                            "render", "simulate", "baseline", "plugins"};
+const std::vector<std::string> kCommands = {"models", "info",    "eval",     "convert",  "export", "fit",
+                                            "batch",  "compare", "check",    "lobe",     "slice",  "error",
+                                            "render", "surface", "simulate", "baseline", "plugins"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
-  return command == "lobe" || command == "slice" || command == "error" || command == "render" || command == "baseline";
+  return command == "lobe" || command == "slice" || command == "error" || command == "render" || command == "surface" ||
+         command == "baseline";
 }
 
 class Command : public ::testing::TestWithParam<std::string> {};

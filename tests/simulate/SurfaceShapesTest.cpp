@@ -40,7 +40,7 @@ std::vector<double> heightsAt(const TiledMesh& mesh, double x, double y) {
 TEST(Gratings, CoverThePlaneOnceWithTheirSectionInAnyDirection) {
   for (const double azimuth : {0.0, 90.0, 180.0, -90.0, 30.0, 123.0, -55.0, 211.0}) {
     SCOPED_TRACE(azimuth);
-    const std::string orientation = ", orientation=" + std::to_string(azimuth) + ")";
+    const std::string orientation = ", orientation=" + std::to_string(azimuth + 90) + ")";
     const TiledMesh lamellar = mesh("lamellar(pitch=10, depth=2, duty=0.3" + orientation);
     const TiledMesh blazed = mesh("blazed(pitch=10, blaze=20, back=70" + orientation);
     const double ax = std::cos(radians(azimuth)), ay = std::sin(radians(azimuth));
@@ -76,7 +76,8 @@ TEST(Gratings, BlazedWithAVerticalBackHasThePitchUnderItsFacet) {
 
 TEST(Gratings, SinusoidIsOneInAnyDirection) {
   for (const double azimuth : {0.0, 90.0, 37.0, -120.0}) {
-    const HeightField field = heightField("sinusoidal(pitch=10, depth=2, orientation=" + std::to_string(azimuth) + ")");
+    const HeightField field =
+        heightField("sinusoidal(pitch=10, depth=2, orientation=" + std::to_string(azimuth + 90) + ")");
     const double ax = std::cos(radians(azimuth)), ay = std::sin(radians(azimuth));
     for (std::size_t j = 0; j < field.rows; j += 7)
       for (std::size_t i = 0; i < field.columns; i += 11) {

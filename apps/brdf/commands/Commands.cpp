@@ -3,10 +3,10 @@
 namespace brdf::app {
 
 std::span<Command> allCommands() {
-  static Command commands[] = {modelsCommand(), infoCommand(),     evalCommand(),     convertCommand(),
-                               exportCommand(), fitCommand(),      batchCommand(),    compareCommand(),
-                               checkCommand(),  lobeCommand(),     sliceCommand(),    errorCommand(),
-                               renderCommand(), simulateCommand(), baselineCommand(), pluginsCommand()};
+  static Command commands[] = {
+      modelsCommand(), infoCommand(),    evalCommand(),     convertCommand(),  exportCommand(), fitCommand(),
+      batchCommand(),  compareCommand(), checkCommand(),    lobeCommand(),     sliceCommand(),  errorCommand(),
+      renderCommand(), surfaceCommand(), simulateCommand(), baselineCommand(), pluginsCommand()};
   return commands;
 }
 

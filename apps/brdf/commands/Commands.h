@@ -30,6 +30,7 @@ Command lobeCommand();
 Command sliceCommand();
 Command errorCommand();
 Command renderCommand();
+Command surfaceCommand();
 Command simulateCommand();
 Command baselineCommand();
 Command pluginsCommand();

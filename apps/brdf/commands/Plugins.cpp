@@ -7,6 +7,7 @@
 #include <brdf/base/Text.h>
 #include <brdf/io/LoadMaterial.h>
 #include <brdf/models/Registry.h>
+#include <brdf/simulate/SurfaceKinds.h>
 
 #include <nlohmann/json.hpp>
 
@@ -39,9 +40,15 @@ void run(const Output& output) {
     output.line("material " + kind.title);
     kinds.push_back({{"name", kind.name}, {"title", kind.title}});
   }
+  Json surfaces = Json::array();
+  for (const SurfaceKind& kind : surfaceKinds()) {
+    if (kind.builtIn) continue;
+    output.line("surface " + kind.name + ": " + kind.title);
+    surfaces.push_back({{"name", kind.name}, {"title", kind.title}});
+  }
   output.line("lobes of one's own: " +
               (lobeFolders.empty() ? "no folder (BRDFLAB_MODEL_PATH names them)" : joined(lobeFolders)));
-  output.report({{"folders", folders}, {"plugins", found}, {"materials", kinds}, {"lobe_folders", lobeFolders}});
+  output.report({{"folders", folders}, {"plugins", found}, {"materials", kinds}, {"surfaces", surfaces}, {"lobe_folders", lobeFolders}});
 }
 
 const MaterialKind& findKind(const std::string& name) {

@@ -38,18 +38,8 @@ std::vector<double> anglesOption(const std::string& option, const std::string& t
   return angles;
 }
 
-/// Meshes by VTK, through the module that draws.
-TiledMesh readMesh(const std::filesystem::path& path) {
-  const TriangleMesh read = pictures().makeObject(path.string());
-  TiledMesh mesh;
-  for (const Position& p : read.points)
-    mesh.points.push_back({static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])});
-  mesh.triangles = read.triangles;
-  return mesh;
-}
-
 MadeSurface surfaceOf(const Values& values) {
-  MadeSurface made = makeSurface(values.surface, {.mesh = readMesh});
+  MadeSurface made = surfaceOption(values.surface);
   Microsurface& surface = made.surface;
   if (!values.facets.empty()) {
     surface.facets.clear();

@@ -49,6 +49,7 @@ void writeView(vtkBRDFView* view, const PictureSize& size, const std::string& pa
 }  // namespace brdf::app
 
 extern "C" __attribute__((visibility("default"))) const brdf::app::PictureFunctions brdfPictures = {
-    brdf::app::drawLobe,    brdf::app::drawError,        brdf::app::drawSlice,        brdf::app::frameDrawer,
-    brdf::app::drawAudit,   brdf::app::drawDotPlot,      brdf::app::drawMontage,      brdf::app::makeObject,
-    brdf::app::readPicture, brdf::app::writeRadiancePng, brdf::app::layoutDifference, brdf::app::shaderProbe};
+    brdf::app::drawLobe,         brdf::app::drawError,        brdf::app::drawSlice,   brdf::app::frameDrawer,
+    brdf::app::drawAudit,        brdf::app::drawDotPlot,      brdf::app::drawMontage, brdf::app::drawSurface,
+    brdf::app::drawCurves,       brdf::app::surfaceReaders,   brdf::app::makeObject,  brdf::app::readPicture,
+    brdf::app::writeRadiancePng, brdf::app::layoutDifference, brdf::app::shaderProbe};

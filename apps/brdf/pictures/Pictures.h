@@ -26,6 +26,9 @@ void writeRadiancePng(const Image& radiance, const RenderPicture& request, const
 void drawAudit(const AuditPicture& request);
 void drawDotPlot(const DotPlotPicture& request);
 void drawMontage(const MontagePicture& request);
+void drawSurface(const SurfacePicture& request);
+void drawCurves(const CurvesPicture& request);
+SurfaceReaders surfaceReaders();
 double layoutDifference(const std::string& found, const std::string& baseline, const std::string& differences);
 GlslRunner shaderProbe();
 

@@ -4,7 +4,6 @@
 #include <brdf/simulate/surfaces/BuiltInSurfaces.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace brdf {
 namespace {
@@ -53,31 +52,14 @@ MadeSurface makeMesh(const SurfaceArguments& arguments, const SurfaceReaders& re
   TiledMesh mesh = readers.mesh(arguments.text("file"));
   const double scale = arguments.number("scale");
   const bool yUp = arguments.text("up") == "y";
-  std::array<double, 3> low, high;
-  low.fill(INFINITY);
-  high.fill(-INFINITY);
   for (auto& point : mesh.points) {
     if (yUp) point = {point[0], -point[2], point[1]};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      point[axis] = static_cast<float>(point[axis] * scale);
-      low[axis] = std::min<double>(low[axis], point[axis]);
-      high[axis] = std::max<double>(high[axis], point[axis]);
-    }
+    for (float& x : point) x = static_cast<float>(x * scale);
   }
-  const auto period = [&](const char* name, std::size_t axis) {
-    const double given = arguments.number(name);
-    if (given > 0) return given;
-    if (!(high[axis] > low[axis])) arguments.refuse(name, "the mesh has no extent along this axis", "a period");
-    return high[axis] - low[axis];
-  };
-  mesh.periodX = period("period_x", 0);
-  mesh.periodY = period("period_y", 1);
+  mesh.periodX = arguments.number("period_x");
+  mesh.periodY = arguments.number("period_y");
+  setMissingPeriods(mesh, arguments.where());
   MadeSurface made;
-  made.facts = {{"period along x", mesh.periodX, "um"},
-                {"period along y", mesh.periodY, "um"},
-                {"lowest point", low[2], "um"},
-                {"highest point", high[2], "um"},
-                {"triangles", static_cast<double>(mesh.triangles.size()), "1"}};
   made.surface.shape = std::move(mesh);
   return made;
 }

@@ -57,15 +57,15 @@ MadeSurface made(TiledMesh mesh) {
 Parameter pitchParameter() { return lengthParameter("pitch", "pitch", 10, "from one line to the next", 1e-3); }
 
 Parameter orientationParameter() {
-  return angleParameter("orientation", "orientation", 0, -360, 360,
-                        "azimuth of the direction across the lines, from +x: at 0 they run along y");
+  return angleParameter("orientation", "orientation", 90, -360, 360,
+                        "azimuth along the lines, from +x: at 90 they run along y");
 }
 
 MadeSurface makeLamellar(const SurfaceArguments& arguments, const SurfaceReaders&) {
   const double pitch = arguments.number("pitch"), depth = arguments.number("depth");
   const double half = pitch * arguments.number("duty") / 2;
   return made(stripMesh({{-half, 0}, {half, 0}, {half, -depth}, {pitch - half, -depth}, {pitch - half, 0}},
-                        arguments.number("orientation")));
+                        arguments.number("orientation") - 90));
 }
 
 MadeSurface makeBlazed(const SurfaceArguments& arguments, const SurfaceReaders&) {
@@ -74,14 +74,16 @@ MadeSurface makeBlazed(const SurfaceArguments& arguments, const SurfaceReaders&)
   // Widths in projection of the facet and of the other side, which is vertical at 90 degrees.
   const double back = fall == 90 ? 0 : 1 / std::tan(radians(fall));
   const double height = pitch / (rise + back);
-  MadeSurface result = made(stripMesh({{0, 0}, {height * rise, height}, {pitch, 0}}, arguments.number("orientation")));
+  MadeSurface result =
+      made(stripMesh({{0, 0}, {height * rise, height}, {pitch, 0}}, arguments.number("orientation") - 90));
   result.facts = {{"height", height, "um"}};
   return result;
 }
 
 MadeSurface makeSinusoidal(const SurfaceArguments& arguments, const SurfaceReaders&) {
   const std::size_t nodes = arguments.whole("resolution");
-  const PlaneWaves tile = commensurateTile(arguments.number("pitch"), std::array{arguments.number("orientation")}, 1);
+  const PlaneWaves tile =
+      commensurateTile(arguments.number("pitch"), std::array{arguments.number("orientation") - 90}, 1);
   const double amplitude = arguments.number("depth") / 2;
   HeightField field;
   field.columns = tile.periodX > 0 ? nodes : 2;
@@ -128,18 +130,17 @@ SurfaceKind sinusoidalSurface() {
 }
 
 SurfaceKind blazedSurface() {
-  return {
-      "blazed",
-      "blazed grating",
-      "Saw teeth: a facet that rises from z = 0 at the blaze angle along the direction across the lines, and a back "
-      "that falls again; exactly, as triangles in any direction. Both angles of 45 degrees give retro-reflecting "
-      "V-grooves.",
-      {pitchParameter(), angleParameter("blaze", "blaze angle", 20, 0.01, 89, "of the facet from the plane"),
-       angleParameter("back", "back angle", 90, 0.01, 90, "of the back of the teeth from the plane"),
-       orientationParameter()},
-      {},
-      {},
-      makeBlazed};
+  return {"blazed",
+          "blazed grating",
+          "Saw teeth: a facet that rises from z = 0 at the blaze angle towards the right of the lines, and a back "
+          "that falls again; exactly, as triangles in any direction. Both angles of 45 degrees give retro-reflecting "
+          "V-grooves.",
+          {pitchParameter(), angleParameter("blaze", "blaze angle", 20, 0.01, 89, "of the facet from the plane"),
+           angleParameter("back", "back angle", 90, 0.01, 90, "of the back of the teeth from the plane"),
+           orientationParameter()},
+          {},
+          {},
+          makeBlazed};
 }
 
 }  // namespace brdf

@@ -84,7 +84,7 @@ std::vector<float> depthsAcross(const Grooves& g, const Section& section, std::s
 MadeSurface make(const SurfaceArguments& arguments, const SurfaceReaders&) {
   const Grooves g(arguments);
   std::vector<double> azimuths(g.sets);
-  for (std::size_t k = 0; k < g.sets; ++k) azimuths[k] = g.orientation + static_cast<double>(k) * g.setAngle;
+  for (std::size_t k = 0; k < g.sets; ++k) azimuths[k] = g.orientation - 90 + static_cast<double>(k) * g.setAngle;
   PlaneWaves waves = commensurateTile(g.spacing, azimuths, g.grooves);
 
   // One family along an axis needs no nodes along its lines, and is as fine as its edges ask for. Where edges cross
@@ -143,7 +143,7 @@ MadeSurface make(const SurfaceArguments& arguments, const SurfaceReaders&) {
   for (std::size_t k = 0; k < g.sets; ++k) {
     const std::string of = g.sets > 1 ? " of set " + std::to_string(k + 1) : "";
     made.facts.push_back({"spacing" + of, waves.spacing(k), "um"});
-    made.facts.push_back({"azimuth across the grooves" + of, waves.azimuth(k), "deg"});
+    made.facts.push_back({"azimuth along the grooves" + of, waves.azimuth(k) + 90, "deg"});
   }
   made.surface.shape = std::move(field);
   return made;
@@ -167,8 +167,8 @@ SurfaceKind groovedSurface() {
        lengthParameter("spacing", "groove spacing", 20, "from the centre of a groove to the next one's"),
        angleParameter("angle", "bottom angle", 60, 1, 179, "angle between the two walls of a groove"),
        lengthParameter("bottom", "bottom width", 0, "width of the flat bottom; 0 is a V", 0),
-       angleParameter("orientation", "orientation", 0, -360, 360,
-                      "azimuth of the direction across the grooves, from +x: at 0 they run along y"),
+       angleParameter("orientation", "orientation", 90, -360, 360,
+                      "azimuth along the grooves of the first set, from +x: at 90 they run along y"),
        numberParameter("sets", "groove sets", 1, 1, 6, "sets of parallel grooves that cross each other"),
        angleParameter("set_angle", "angle between sets", 90, 1, 179, "from one set to the next"),
        numberParameter("jitter", "jitter", 0, 0, 1,
