@@ -38,10 +38,10 @@ using brdf::Direction;
 /** A parallel projection: where places of the scene are on the picture, before anything is drawn. */
 struct Projection
 {
-  Direction Right, Up, Towards; ///< of the picture in the scene, unit
-  Direction Focus;
+  Direction Right{}, Up{}, Towards{}; ///< of the picture in the scene, unit
+  Direction Focus{};
   double PixelsPerUnit = 1;
-  Point Center; ///< of the picture that shows Focus, pixels
+  Point Center{}; ///< of the picture that shows Focus, pixels
 
   Point operator()(const Direction& place) const
   {

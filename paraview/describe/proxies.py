@@ -203,6 +203,7 @@ FILTERS = [
             "Sampling": {"choices": ["automatic", "all", "hemisphere", "importance"]},
             "NumberOfSamples": ADVANCED,
             "SolidAngleWeights": ADVANCED,
+            "NoiseWeights": ADVANCED,
             "Strategy": {"choices": ["automatic", "separable", "joint"], "advanced": True},
             "Progressive": {},
             "CrossValidation": ADVANCED,
@@ -214,7 +215,7 @@ FILTERS = [
         outputs=["Fit", "Parameters", "Regions"],
         groups=[
             ("Model", ["Lobes", "Constraints", "PerChannel", "Progressive"], None),
-            ("Target", ["Channels", "Sampling", "NumberOfSamples", "SolidAngleWeights", "MaximumTheta"], None),
+            ("Target", ["Channels", "Sampling", "NumberOfSamples", "SolidAngleWeights", "NoiseWeights", "MaximumTheta"], None),
             ("Search", ["Metric", "Optimizer", "Strategy", "Starts", "Seed", "Tolerance", "CrossValidation"], None),
         ],
     ),
