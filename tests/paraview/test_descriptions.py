@@ -49,11 +49,15 @@ def values_of(prop):
 
 
 def refusal(kind, **settings):
-    """The error of a class with some settings on a Lambertian; empty when there is none."""
-    source, algorithm = brdflab.vtkBRDFModelSource(), getattr(brdflab, kind)()
+    """The error of a class with some settings on a Lambertian or a flat microsurface; empty when there is none."""
+    source, surface = brdflab.vtkBRDFModelSource(), brdflab.vtkBRDFMicrosurfaceSource()
     source.SetModel("Lambertian")
+    surface.SetSurface("flat")
+    algorithm = getattr(brdflab, kind)()
     for port in range(algorithm.GetNumberOfInputPorts()):
-        algorithm.SetInputConnection(port, source.GetOutputPort())
+        wanted = algorithm.GetInputPortInformation(port).Get(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), 0)
+        made = surface if wanted == "vtkBRDFMicrosurface" else source
+        algorithm.SetInputConnection(port, made.GetOutputPort())
     for name, value in settings.items():
         getattr(algorithm, "Set" + name)(value)
     algorithm.AddObserver("ErrorEvent", lambda *_: None)

@@ -453,6 +453,24 @@ class Pipeline(unittest.TestCase):
         self.assertEqual((widget.GetTheta(), widget.GetPhi()), (89, -30))  # never at the horizon
 
 
+class Simulation(unittest.TestCase):
+    def test_a_microsurface_becomes_a_table_and_a_balance(self):
+        surface = brdflab.vtkBRDFMicrosurfaceSource()
+        surface.SetSurface("gaussian(rms=0.5, correlation=2, period=32)")
+        meter = brdflab.vtkBRDFGonioreflectometer()
+        meter.SetInputConnection(surface.GetOutputPort())
+        meter.AddFacet("lambertian(albedo=0.5)")
+        meter.SetThetaI("0,60")
+        meter.SetTolerance(0.2)
+        self.assertTrue(meter.UpdateAndCheck(), meter.GetPipelineErrorText())
+        self.assertTrue(meter.GetOutput().GetDescription().startswith("simulated: gaussian"))
+        balance = meter.GetBalance()
+        self.assertEqual(balance.GetNumberOfRows(), 2)
+        parts = {name: vtk_to_numpy(balance.GetColumnByName(name)) for name in ("reflected", "absorbed", "sum", "lost")}
+        np.testing.assert_allclose(parts["reflected"] + parts["absorbed"] + parts["lost"], parts["sum"], atol=1e-9)
+        self.assertTrue(np.all(parts["reflected"] < 0.5))  # what goes from facet to facet is absorbed more
+
+
 class Pictures(unittest.TestCase):
     def test_a_view_writes_a_png(self):
         view = brdflab.vtkBRDFLobeView()
