@@ -2,9 +2,11 @@
 //
 //   render_study convergence > convergence.csv   error of converging mode against the number of samples
 //   render_study bias > bias.csv                 bias and noise of interactive mode against roughness
+//   render_study hundred > hundred.csv           the same at 100 samples of lobes and tables
 #include <brdf/base/Error.h>
 #include <brdf/io/EnvironmentMap.h>
 #include <brdf/material/LobeSum.h>
+#include <brdf/material/TableBrdf.h>
 
 #include <vtkBRDF.h>
 #include <vtkBRDFEnvironment.h>
@@ -43,9 +45,10 @@ class Subject {
     render_->SetTolerance(0);
   }
   vtkBRDFRender* operator->() { return render_; }
-  void setMaterial(const std::string& expression) {
+  void setMaterial(const std::string& expression) { setMaterial(brdf::parseMaterialExpression(expression)); }
+  void setMaterial(const brdf::BrdfPointer& material) {
     vtkNew<vtkBRDF> input;
-    input->SetBrdf(brdf::parseMaterialExpression(expression));
+    input->SetBrdf(material);
     render_->SetInputData(input);
   }
   /// Green of the pixels whose centres see the sphere at less than 80 degrees.
@@ -104,46 +107,80 @@ void convergence() {
       }
 }
 
+/// The converged picture and the root mean square of its standard error.
+struct Truth {
+  explicit Truth(Subject& subject) {
+    subject->SetMode(vtkBRDFRender::MODE_CONVERGING);
+    subject->SetTolerance(0.002);
+    subject->SetMaximumSamples(8192);
+    subject->SetSeed(0);
+    picture = subject.draw();
+    doubt = rms(subject.standardError());
+  }
+  std::vector<double> picture;
+  double doubt;
+};
+
 /// Interactive mode drawn with many seeds: the mean's distance from the converged picture is the bias, the scatter
-/// about the mean the noise.
-void bias() {
+/// about the mean the noise. "bias,noise,bias_error".
+std::string errors(Subject& subject, const Truth& truth, int samples) {
   constexpr int seeds = 64;
+  const std::size_t count = truth.picture.size();
+  subject->SetMode(vtkBRDFRender::MODE_INTERACTIVE);
+  subject->SetNumberOfSamples(samples);
+  std::vector<double> sum(count), squares(count);
+  for (int seed = 0; seed < seeds; ++seed) {
+    subject->SetSeed(seed);
+    const auto drawn = subject.draw();
+    for (std::size_t i = 0; i < count; ++i) {
+      sum[i] += drawn[i];
+      squares[i] += drawn[i] * drawn[i];
+    }
+  }
+  double off = 0, scatter = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double mean = sum[i] / seeds;
+    off += std::pow(mean - truth.picture[i], 2) / double(count);
+    scatter += std::max(0.0, squares[i] / seeds - mean * mean) * seeds / (seeds - 1.0) / double(count);
+  }
+  // What the scatter and the truth's own noise leave in the distance is taken off.
+  const double left = scatter / seeds + truth.doubt * truth.doubt, whole = rms(truth.picture);
+  char text[100];
+  std::snprintf(text, sizeof text, "%.6g,%.6g,%.6g", std::sqrt(std::max(0.0, off - left)) / whole,
+                std::sqrt(scatter) / whole, std::sqrt(left) / whole);
+  return text;
+}
+
+void bias() {
   std::printf("map,alpha,samples,level_bias,bias,noise,bias_error\n");
   for (const char* map : {"studio", "venice", "sunset", "one texel"}) {
     Subject subject(map);
     for (const char* alpha : {"0.02", "0.05", "0.1", "0.2", "0.4", "0.8"}) {
       subject.setMaterial("GGXConductor(alpha=" + std::string(alpha) + ")");
-      subject->SetMode(vtkBRDFRender::MODE_CONVERGING);
-      subject->SetTolerance(0.002);
-      subject->SetMaximumSamples(8192);
-      subject->SetSeed(0);
-      const auto truth = subject.draw();
-      const double whole = rms(truth), doubt = rms(subject.standardError());
-      subject->SetMode(vtkBRDFRender::MODE_INTERACTIVE);
+      const Truth truth(subject);
       for (const int samples : {16, 64, 256}) {
-        subject->SetNumberOfSamples(samples);
-        std::vector<double> sum(truth.size()), squares(truth.size());
-        for (int seed = 0; seed < seeds; ++seed) {
-          subject->SetSeed(seed);
-          const auto drawn = subject.draw();
-          for (std::size_t i = 0; i < drawn.size(); ++i) {
-            sum[i] += drawn[i];
-            squares[i] += drawn[i] * drawn[i];
-          }
-        }
-        double off = 0, scatter = 0;
-        for (std::size_t i = 0; i < truth.size(); ++i) {
-          const double mean = sum[i] / seeds;
-          off += std::pow(mean - truth[i], 2) / double(truth.size());
-          scatter += std::max(0.0, squares[i] / seeds - mean * mean) * seeds / (seeds - 1.0) / double(truth.size());
-        }
-        // What the scatter and the truth's own noise leave in the distance is taken off.
-        const double left = scatter / seeds + doubt * doubt;
-        std::printf("%s,%s,%d,0,%.6g,%.6g,%.6g\n", map, alpha, samples, std::sqrt(std::max(0.0, off - left)) / whole,
-                    std::sqrt(scatter) / whole, std::sqrt(left) / whole);
+        std::printf("%s,%s,%d,0,%s\n", map, alpha, samples, errors(subject, truth, samples).c_str());
         std::fflush(stdout);
       }
     }
+  }
+}
+
+void hundred() {
+  std::printf("map,material,bias,noise,bias_error\n");
+  for (const char* map : {"studio", "venice", "sunset"}) {
+    Subject subject(map);
+    for (const char* text : {"(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.2)", "GGXConductor(alpha=0.05)",
+                             "GGXConductor(alpha=0.4)", "0.2*Lambertian + 0.5*Ward(ax=0.1, ay=0.4)",
+                             "OrenNayar(sigma=0.5) + Lafortune(Cx=0.6, Cy=0.6, Cz=0.6, n=20)"})
+      for (const bool table : {false, true}) {
+        const brdf::BrdfPointer lobes = brdf::parseMaterialExpression(text);
+        if (table && lobes->symmetry() == brdf::Symmetry::Anisotropic) continue;
+        subject.setMaterial(table ? brdf::BrdfPointer(brdf::TableBrdf::tabulate(*lobes)) : lobes);
+        const Truth truth(subject);
+        std::printf("%s,\"%s%s\",%s\n", map, table ? "table of " : "", text, errors(subject, truth, 100).c_str());
+        std::fflush(stdout);
+      }
   }
 }
 
@@ -155,9 +192,11 @@ int main(int count, char** words) try {
     convergence();
   else if (what == "bias")
     bias();
+  else if (what == "hundred")
+    hundred();
   else
     throw brdf::Error(brdf::Error::Kind::Usage,
-                      {"what to study", "render_study", "'" + what + "'", "convergence, bias"});
+                      {"what to study", "render_study", "'" + what + "'", "convergence, bias, hundred"});
   return 0;
 } catch (const std::exception& error) {
   std::fprintf(stderr, "render_study: %s\n", error.what());

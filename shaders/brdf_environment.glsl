@@ -3,7 +3,7 @@
 // reads the level whose texels come nearest to that size.
 uniform sampler2D brdfRadiancePicture;  // W / (sr m^2) or relative, linear
 uniform brdfMap brdfRadianceMap;
-uniform usampler2D brdfFootprints;      // the same, packed: brdf::OctahedralMap::Footprints
+uniform usamplerBuffer brdfFootprints;  // the same, packed: brdf::OctahedralMap::Footprints
 uniform float brdfFootprintUnit;
 uniform sampler2D brdfDiffusePicture;   // irradiance / pi: brdf::EnvironmentMap::diffuseMap
 uniform mat3 brdfViewToEnvironment;     // rotation from view coordinates to those of the maps
@@ -13,6 +13,7 @@ uniform float brdfFilter;               // factor on each sample's solid angle: 
 // The uniforms of every sample, read once a fragment: software devices fetch and convert one anew at each use.
 float brdfSide = brdfRadianceMap.size;
 int brdfSideBits = floatBitsToInt(brdfSide);
+int brdfRow = int(brdfSide) + 1;
 int brdfLastLevel = int(brdfRadianceMap.last);
 vec3 brdfUnitOfWords = brdfFootprintUnit * vec3(1.0, 1.0 / 512.0, 1.0 / 262144.0);  // by each channel's lowest bit
 // Texels of the finest level in a steradian at |x| + |y| + |z| = 1, twice, and one of 4^(level bias).
@@ -26,19 +27,7 @@ vec3 brdfUnpack(uvec4 words, vec4 weights)
               dot(scales, vec4(ivec4(words & 0x7fc0000u))));
 }
 
-// Bilinear look-up in one level by a single fetch.
-vec3 brdfFootprint(vec2 position, int level)
-{
-  float n = intBitsToFloat(brdfSideBits - (level << 23));
-  vec2 corner = level > 0 ? vec2(brdfSide + 2.0, brdfSide - 2.0 * n + 2.0 * float(level - 1)) : vec2(0.0);
-  vec2 place = corner + position * n + 0.5;
-  ivec2 texel = ivec2(place);
-  vec2 after = place - vec2(texel), before = 1.0 - after;
-  return brdfUnitOfWords * brdfUnpack(texelFetch(brdfFootprints, texel, 0),
-    vec4(before.x * before.y, after.x * before.y, before.x * after.y, after.x * after.y));
-}
-
-// Mean radiance over `solidAngle` about a unit direction.
+// Mean radiance over `solidAngle` (sr) about a direction of length l; `solidAngle` is given times l^3.
 vec3 brdfRadiance(vec3 direction, float solidAngle)
 {
   vec3 a = abs(direction);
@@ -47,7 +36,13 @@ vec3 brdfRadiance(vec3 direction, float solidAngle)
   // of 4.
   float texels = brdfTexels * (inverse * inverse) * (inverse * solidAngle);
   int level = min(((floatBitsToInt(max(texels, 2.0)) >> 23) - 127) >> 1, brdfLastLevel);
-  vec3 radiance = brdfFootprint(brdfProject(direction, inverse), level);
+  float n = intBitsToFloat(brdfSideBits - (level << 23));
+  vec2 place = brdfProject(direction, inverse) * n + 0.5;
+  ivec2 texel = ivec2(place);
+  vec2 after = place - vec2(texel), before = 1.0 - after;
+  int row = 2 * (brdfRow - 1 - int(n)) + level + texel.y;
+  vec3 radiance = brdfUnitOfWords * brdfUnpack(texelFetch(brdfFootprints, row * brdfRow + texel.x),
+    vec4(before.x * before.y, after.x * before.y, before.x * after.y, after.x * after.y));
 #if defined(BRDF_SHADOWS) && BRDF_SHADOWS > 1
   radiance *= brdfSeen(direction);
 #endif

@@ -1,7 +1,6 @@
 #include "vtkBRDFEnvironment.h"
 
-#include "vtkBRDFCompatibility.h"
-#include VTK_BRDF_GL_LOADER_HEADER
+#include "vtkBRDFTextureBuffer.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -16,9 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
-#include <type_traits>
 
 namespace
 {
@@ -29,34 +26,24 @@ brdf::Direction Unrotated(const double direction[3], double degrees)
   return brdf::normalized({ c * direction[0] - s * direction[2], direction[1], s * direction[0] + c * direction[2] });
 }
 
-// A picture of four numbers a texel on the device: floats, read bilinearly, or integers.
-template<class Number>
-vtkSmartPointer<vtkTextureObject> Upload(const Number* texels,
+// A picture of four floats a texel on the device, read bilinearly.
+vtkSmartPointer<vtkTextureObject> Upload(const float* texels,
                                          std::size_t width,
                                          std::size_t height,
                                          int wrap,
                                          vtkOpenGLRenderWindow* window)
 {
-  constexpr bool integers = std::is_same_v<Number, std::uint32_t>;
   auto texture = vtkSmartPointer<vtkTextureObject>::New();
   texture->SetContext(window);
   texture->SetWrapS(wrap);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMagnificationFilter(integers ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
-  texture->SetMinificationFilter(integers ? vtkTextureObject::Nearest : vtkTextureObject::Linear);
-  if (integers)
-  {
-    texture->SetInternalFormat(GL_RGBA32UI);
-    texture->SetFormat(GL_RGBA_INTEGER);
-    texture->SetDataType(GL_UNSIGNED_INT);
-  }
+  texture->SetMagnificationFilter(vtkTextureObject::Linear);
+  texture->SetMinificationFilter(vtkTextureObject::Linear);
   const auto largest = static_cast<std::size_t>(vtkTextureObject::GetMaximumTextureSize(window));
   // VTK's signature wants a pointer to what is not constant; it reads only.
-  if (std::max(width, height) > largest || !texture->Create2DFromRaw(static_cast<unsigned int>(width),
-                                                                     static_cast<unsigned int>(height),
-                                                                     4,
-                                                                     integers ? VTK_UNSIGNED_INT : VTK_FLOAT,
-                                                                     const_cast<Number*>(texels)))
+  if (std::max(width, height) > largest ||
+      !texture->Create2DFromRaw(
+        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT, const_cast<float*>(texels)))
   {
     throw brdf::Error(brdf::Error::Kind::Device,
                       { "cannot make the texture of an environment map",
@@ -246,8 +233,8 @@ void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window, bool unfi
     data.RadianceTexture =
       Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
     const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
-    data.FootprintTexture =
-      Upload(footprints.words.data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+    data.FootprintTexture = vtkBRDFTextureBuffer::Make(
+      window, "the environment map", footprints.words.data(), footprints.words.size() / 4, 4);
     data.FootprintUnit = footprints.unit;
     data.DiffuseTexture =
       Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);

@@ -48,7 +48,7 @@ public:
 
   ///@{
   /** Largest number of texels along a side of the octahedral map (a power of two at or below is taken); default 2048.
-   * n texels resolve 260 / n degrees and take 24 n^2 bytes on the device. */
+   * n texels resolve 260 / n degrees and take 32 n^2 bytes on the device. */
   void SetMaximumMapSize(int size);
   vtkGetMacro(MaximumMapSize, int);
   ///@}

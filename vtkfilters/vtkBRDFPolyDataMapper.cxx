@@ -5,7 +5,7 @@
 
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironment.h"
-#include "vtkBRDFShaderText.h"
+#include "vtkBRDFMaterialShader.h"
 #include "vtkBRDFShadows.h"
 
 #include "vtkCamera.h"
@@ -15,92 +15,36 @@
 #include "vtkMath.h"
 #include "vtkMatrix4x4.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLHelper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLVertexBufferObjectGroup.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureObject.h"
 #include "vtkTimerLog.h"
-#include "vtkWeakPointer.h"
 
 #include <brdf/base/Error.h>
-#include <brdf/color/ColourSettings.h>
-#include <brdf/material/ChannelView.h>
-#include <brdf/material/LobeSum.h>
-#include <brdf/sampling/DrawnTable.h>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <type_traits>
-#include <vector>
 
 namespace
 {
-// Texels that a texture buffer of the current device holds.
-std::size_t LargestBuffer()
+using Light = vtkBRDFMaterialShader::Environment;
+
+Light LightOf(vtkBRDFPolyDataMapper& mapper)
 {
-  GLint texels = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  return static_cast<std::size_t>(std::max(texels, 0));
+  return !mapper.GetEnvironment()                                     ? Light::None
+         : mapper.GetMode() == vtkBRDFPolyDataMapper::MODE_CONVERGING ? Light::Unfiltered
+                                                                      : Light::Filtered;
 }
-}
-
-class vtkBRDFPolyDataMapper::Internals
-{
-public:
-  std::shared_ptr<const brdf::Brdf> Brdf;
-  brdf::ColourNames Colours;                              // that the shader was made with
-  double Tolerance = 0;                                   // likewise, of resampling
-  std::optional<vtkBRDFShaderText> Shader;                // empty where the BRDF cannot be drawn
-  vtkTimeStamp StructureTime;                             // when the shader's text last changed
-  brdf::DrawnTable Table;                                 // what is drawn of a BRDF that is no sum of lobes
-  std::vector<vtkSmartPointer<vtkTextureObject>> Buffers; // of the shader, on the device of BufferWindow
-  vtkWeakPointer<vtkOpenGLRenderWindow> BufferWindow;
-
-  void ReleaseBuffers()
-  {
-    this->Buffers.clear();
-    this->BufferWindow = nullptr;
-  }
-  void UploadBuffers(vtkOpenGLRenderWindow* window);
-};
-
-// Makes texture buffers of the shader's where there are none.
-void vtkBRDFPolyDataMapper::Internals::UploadBuffers(vtkOpenGLRenderWindow* window)
-{
-  if (this->BufferWindow == window)
-  {
-    return;
-  }
-  this->ReleaseBuffers();
-  for (const vtkBRDFShaderText::Buffer& buffer : this->Shader->Buffers())
-  {
-    auto texture = vtkSmartPointer<vtkTextureObject>::New();
-    vtkNew<vtkOpenGLBufferObject> object;
-    texture->SetContext(window);
-    if (buffer.Texels.size() / 4 > LargestBuffer() ||
-        !object->Upload(buffer.Texels.data(), buffer.Texels.size(), vtkOpenGLBufferObject::TextureBuffer) ||
-        !texture->CreateTextureBuffer(static_cast<unsigned int>(buffer.Texels.size() / 4), 4, VTK_FLOAT, object))
-    {
-      throw brdf::Error(brdf::Error::Kind::Device,
-                        { "the OpenGL device cannot hold the table",
-                          {},
-                          std::to_string(buffer.Texels.size() / 4) + " texels",
-                          "at most " + std::to_string(LargestBuffer()) });
-    }
-    this->Buffers.push_back(texture);
-  }
-  this->BufferWindow = window;
 }
 
 vtkStandardNewMacro(vtkBRDFPolyDataMapper);
 vtkCxxSetObjectMacro(vtkBRDFPolyDataMapper, Environment, vtkBRDFEnvironment);
 
 vtkBRDFPolyDataMapper::vtkBRDFPolyDataMapper()
-  : Material(std::make_unique<Internals>())
+  : Material(std::make_unique<vtkBRDFMaterialShader>())
 {
   this->SetNumberOfInputPorts(2);
   this->ScalarVisibilityOff();
@@ -136,48 +80,9 @@ void vtkBRDFPolyDataMapper::UpdateMaterial()
     this->GetInputAlgorithm(1, 0)->Update();
     input = vtkBRDF::SafeDownCast(this->GetInputDataObject(1, 0));
   }
-  if (!input || input->IsEmpty())
-  {
-    this->Material->Brdf.reset();
-    this->Material->Shader.reset();
-    throw brdf::Error(brdf::Error::Kind::Value, { "no BRDF to draw with", {}, {}, {} });
-  }
-  const brdf::ColourNames colours{ this->Illuminant, this->Observer, this->Adaptation };
-  if (input->GetBrdf() == this->Material->Brdf && colours == this->Material->Colours && this->Material->Shader &&
-      this->ResamplingTolerance == this->Material->Tolerance)
-  {
-    return;
-  }
-  this->Material->Brdf = input->GetBrdf();
-  this->Material->Colours = colours;
-  this->Material->Tolerance = this->ResamplingTolerance;
-  const std::optional<vtkBRDFShaderText> before = std::move(this->Material->Shader);
-  this->Material->Shader.reset();
-  this->Material->Table = {};
-  this->Material->ReleaseBuffers();
-  auto lobes = std::dynamic_pointer_cast<const brdf::LobeSum>(this->Material->Brdf);
-  if (lobes && lobes->channels().kind == brdf::Channels::Kind::Spectral)
-  {
-    // Null where its colours are no sum of lobes: then it is drawn as a table.
-    lobes = brdf::lobesAsRgb(*lobes, brdf::colourSettings(colours));
-  }
-  if (lobes)
-  {
-    this->Material->Shader.emplace(*lobes, before ? &*before : nullptr);
-  }
-  else
-  {
-    brdf::DrawnTableOptions options;
-    options.tolerance = this->ResamplingTolerance;
-    options.maximumTexels = std::min(options.maximumTexels, LargestBuffer());
-    this->Material->Table =
-      brdf::drawnTable(brdf::reducedToRgb(this->Material->Brdf, brdf::colourSettings(colours)), options);
-    this->Material->Shader.emplace(this->Material->Table, brdf::TabulatedSampler(*this->Material->Table.grid));
-  }
-  if (!before || this->Material->Shader->Structure() != before->Structure())
-  {
-    this->Material->StructureTime.Modified();
-  }
+  this->Material->Update(input && !input->IsEmpty() ? input->GetBrdf() : nullptr,
+                         { this->Illuminant, this->Observer, this->Adaptation },
+                         this->ResamplingTolerance);
 }
 
 int vtkBRDFPolyDataMapper::AdaptedSamples(double allocated, double seconds, int samples, int minimum, int maximum)
@@ -187,22 +92,28 @@ int vtkBRDFPolyDataMapper::AdaptedSamples(double allocated, double seconds, int 
   {
     return allocated < 1 ? minimum : maximum;
   }
-  return static_cast<int>(std::clamp(std::floor(allocated / seconds * samples), double(minimum), double(maximum)));
+  const double wanted = allocated / seconds * samples;
+  int found = maximum;
+  while (found > wanted && found > minimum)
+  {
+    found = std::max(found / 2, minimum);
+  }
+  return found;
 }
 
 bool vtkBRDFPolyDataMapper::GetResampled() const
 {
-  return this->Material->Table.resampled;
+  return this->Material->Table().resampled;
 }
 
 double vtkBRDFPolyDataMapper::GetResamplingError() const
 {
-  return this->Material->Table.error;
+  return this->Material->Table().error;
 }
 
 std::string vtkBRDFPolyDataMapper::GetTableLayout() const
 {
-  return this->Material->Table.grid ? this->Material->Table.grid->layout().text() : std::string();
+  return this->Material->Table().grid ? this->Material->Table().grid->layout().text() : std::string();
 }
 
 void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
@@ -212,11 +123,16 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
     this->UpdateMaterial();
-    this->Material->UploadBuffers(window);
-    for (const auto& buffer : this->Material->Buffers)
+    this->SamplesDrawn = this->NumberOfSamples;
+    if (this->AdaptSamples)
     {
-      buffer->Activate();
+      this->SamplesDrawn = AdaptedSamples(actor->GetAllocatedRenderTime(),
+                                          this->SecondsDrawn,
+                                          this->LastSamples,
+                                          this->MinimumSamples,
+                                          this->NumberOfSamples);
     }
+    this->Material->Activate(window, LightOf(*this), this->SamplesDrawn);
     if (this->Environment)
     {
       this->Environment->UpdateTextures(window, this->Mode == MODE_CONVERGING);
@@ -227,14 +143,8 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       this->Shadows->Activate();
     }
     double start = 0;
-    this->SamplesDrawn = this->NumberOfSamples;
     if (this->AdaptSamples)
     {
-      this->SamplesDrawn = AdaptedSamples(actor->GetAllocatedRenderTime(),
-                                          this->SecondsDrawn,
-                                          this->LastSamples,
-                                          this->MinimumSamples,
-                                          this->NumberOfSamples);
       glFinish();
       start = vtkTimerLog::GetUniversalTime();
     }
@@ -245,10 +155,7 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       this->SecondsDrawn = vtkTimerLog::GetUniversalTime() - start;
       this->LastSamples = this->SamplesDrawn;
     }
-    for (const auto& buffer : this->Material->Buffers)
-    {
-      buffer->Deactivate();
-    }
+    this->Material->Deactivate();
     if (this->Environment)
     {
       this->Environment->DeactivateTextures();
@@ -277,7 +184,7 @@ void vtkBRDFPolyDataMapper::SetShadows(vtkBRDFShadows* shadows)
 bool vtkBRDFPolyDataMapper::GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
-  return needed || cellBO.ShaderSourceTime < this->Material->StructureTime;
+  return needed || cellBO.ShaderSourceTime < this->Material->StructureTime();
 }
 
 void vtkBRDFPolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
@@ -308,10 +215,6 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   // A geometry shader (wide lines, edges) would have to pass the tangent on.
   const bool tangents =
     this->VBOs->GetNumberOfComponents("tangentMC") == 3 && shaders[vtkShader::Geometry]->GetSource().empty();
-  using Light = vtkBRDFShaderText::Environment;
-  const Light environment = !this->Environment              ? Light::None
-                            : this->Mode == MODE_CONVERGING ? Light::Unfiltered
-                                                            : Light::Filtered;
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::System::Dec",
                                "//VTK::System::Dec\n"
@@ -321,7 +224,7 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
                                "//VTK::Light::Dec",
                                std::string(tangents ? "in vec3 brdfTangentVC;\n" : "") +
                                  (this->Shadows ? this->Shadows->Text(this->Environment != nullptr) : "") +
-                                 this->Material->Shader->Text(environment),
+                                 this->Material->Text().Text(LightOf(*this)),
                                false);
   vtkShaderProgram::Substitute(
     fragment,
@@ -349,32 +252,7 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
-  const vtkBRDFShaderText& shader = *this->Material->Shader;
-  const auto& parameters = shader.Parameters();
-  if (!parameters.empty())
-  {
-    program->SetUniform1fv("brdfParameters", static_cast<int>(parameters.size()), parameters.data());
-  }
-  program->SetUniform3f("brdfTableBase", shader.TableBase().data());
-  const auto& shapes = shader.SamplerShapes();
-  if (!shapes.empty())
-  {
-    program->SetUniform1iv("brdfSamplerShapes", static_cast<int>(shapes.size()), shapes.data());
-  }
-  for (std::size_t i = 0; i < this->Material->Buffers.size(); ++i)
-  {
-    program->SetUniformi(shader.Buffers()[i].Name.c_str(), this->Material->Buffers[i]->GetTextureUnit());
-  }
-  if (shader.NumberOfTerms() > 0)
-  {
-    const auto samples = shader.Samples(this->SamplesDrawn);
-    program->SetUniform3fv("brdfScales", shader.NumberOfTerms(), shader.Scales().data());
-    program->SetUniform1iv("brdfSamples", shader.NumberOfTerms(), samples.data());
-    if (this->Mode == MODE_CONVERGING)
-    {
-      program->SetUniform1fv("brdfShares", shader.NumberOfTerms(), shader.Shares().data());
-    }
-  }
+  this->Material->SetUniforms(program);
   program->SetUniformf("brdfGain", static_cast<float>(std::exp2(this->Exposure)));
   program->SetUniformi("brdfEncoded", this->EncodeForDisplay);
 
@@ -481,10 +359,7 @@ void vtkBRDFPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Environment->ReleaseGraphicsResources(window);
   }
-  if (this->Material->BufferWindow == window)
-  {
-    this->Material->ReleaseBuffers();
-  }
+  this->Material->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
   this->Superclass::ReleaseGraphicsResources(window);
 }
 

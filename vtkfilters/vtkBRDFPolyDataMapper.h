@@ -9,6 +9,7 @@
 class vtkAlgorithmOutput;
 class vtkBRDF;
 class vtkBRDFEnvironment;
+class vtkBRDFMaterialShader;
 class vtkBRDFShadows;
 class vtkMatrix4x4;
 class vtkShaderProgram;
@@ -97,9 +98,9 @@ public:
   ///@}
 
   ///@{
-  /** Samples of the environment a pixel, shared among the lobes; default 64. More is slower in proportion, sharper and
-   * less noisy. */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 20);
+  /** Samples of the environment a pixel, shared among the lobes; 1 to 16,384, default 64. More is slower in
+   * proportion, sharper and less noisy. */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 14);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
 
@@ -118,8 +119,9 @@ public:
   /** Samples a pixel of the last drawing in interactive mode. */
   int GetSamplesDrawn() const { return this->SamplesDrawn; }
 
-  /** What AdaptSamples chooses when `samples` have taken `seconds` and `allocated` seconds may pass: in proportion,
-   * between the bounds; the minimum where nothing has been drawn (seconds 0) and less than a second is allowed. */
+  /** What AdaptSamples chooses when `samples` have taken `seconds` and `allocated` seconds may pass: the maximum,
+   * halved until it fits in proportion, but not below the minimum (few numbers, since each has draws of its own made in
+   * advance); the minimum where nothing has been drawn (seconds 0) and less than a second is allowed. */
   static int AdaptedSamples(double allocated, double seconds, int samples, int minimum, int maximum);
 
   ///@{
@@ -218,12 +220,11 @@ private:
   vtkBRDFPolyDataMapper(const vtkBRDFPolyDataMapper&) = delete;
   void operator=(const vtkBRDFPolyDataMapper&) = delete;
 
-  class Internals;
   void UpdateMaterial();
   void SetLights(vtkShaderProgram* program, vtkRenderer* renderer, vtkMatrix4x4* worldToView);
   void SetEnvironmentUniforms(vtkShaderProgram* program, vtkMatrix4x4* worldToView);
 
-  std::unique_ptr<Internals> Material;
+  std::unique_ptr<vtkBRDFMaterialShader> Material;
   vtkBRDFEnvironment* Environment = nullptr;
   vtkBRDFShadows* Shadows = nullptr;
   std::string ErrorText;

@@ -195,6 +195,16 @@ vtkImageData* vtkBRDFRender::GetOutput()
   return vtkImageData::SafeDownCast(this->GetOutputDataObject(0));
 }
 
+int vtkBRDFRender::GetSamplesOfPicture()
+{
+  int samples = this->NumberOfSamples;
+  for (const Scene::Object* object : this->GetScene().Objects())
+  {
+    samples = std::min(samples, object->Mapper->GetSamplesDrawn());
+  }
+  return samples;
+}
+
 vtkMTimeType vtkBRDFRender::GetMTime()
 {
   vtkMTimeType time = this->Superclass::GetMTime();
@@ -249,11 +259,13 @@ void vtkBRDFRender::PrepareObjects(vtkInformationVector** inputs)
       scene.InputTime = time;
     }
   }
+  scene.Window->SetDesiredUpdateRate(std::max(this->DesiredUpdateRate, 1e-4));
   for (Scene::Object* object : scene.Objects())
   {
     object->Mapper->SetInputDataObject(object->Surface ? object->Surface : scene.Sphere);
     object->Mapper->SetEnvironment(this->Environment);
     object->Mapper->SetNumberOfSamples(this->NumberOfSamples);
+    object->Mapper->SetAdaptSamples(this->DesiredUpdateRate > 0);
     object->Mapper->SetLevelBias(this->LevelBias);
     object->Mapper->SetResamplingTolerance(this->ResamplingTolerance);
     object->Mapper->SetMode(this->Mode);
@@ -624,6 +636,7 @@ void vtkBRDFRender::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Size: " << this->Size[0] << " x " << this->Size[1] << "\n"
      << indent << "NumberOfSamples: " << this->NumberOfSamples << "\n"
+     << indent << "DesiredUpdateRate: " << this->DesiredUpdateRate << "\n"
      << indent << "LevelBias: " << this->LevelBias << "\n"
      << indent << "Mode: " << this->Mode << "\n"
      << indent << "Tolerance: " << this->Tolerance << "\n"

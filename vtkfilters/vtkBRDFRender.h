@@ -129,10 +129,20 @@ public:
   }
 
   ///@{
-  /** Samples of the environment a pixel in interactive mode; default 64. */
-  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 20);
+  /** Samples of the environment a pixel in interactive mode; 1 to 16,384, default 64. */
+  vtkSetClampMacro(NumberOfSamples, int, 1, 1 << 14);
   vtkGetMacro(NumberOfSamples, int);
   ///@}
+
+  ///@{
+  /** Pictures a second to keep up in interactive mode with one of the EdgeSamples drawings, as while something moves,
+   * by drawing fewer than NumberOfSamples: see vtkBRDFPolyDataMapper::SetAdaptSamples. 0, the default: all samples. */
+  vtkSetClampMacro(DesiredUpdateRate, double, 0.0, 1e9);
+  vtkGetMacro(DesiredUpdateRate, double);
+  ///@}
+
+  /** Samples a pixel of the last picture in interactive mode: the fewest of any object's. */
+  int GetSamplesOfPicture();
 
   ///@{
   /** See vtkBRDFPolyDataMapper; default 0. */
@@ -305,6 +315,7 @@ private:
   vtkImageData* BackgroundImage = nullptr;
   int Size[2] = { 512, 512 };
   int NumberOfSamples = 64;
+  double DesiredUpdateRate = 0;
   double LevelBias = 0;
   int Mode = MODE_INTERACTIVE;
   double Tolerance = 0.01;

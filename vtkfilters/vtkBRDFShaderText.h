@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,7 @@ class VTKBRDFFILTERS_EXPORT vtkBRDFShaderText
 public:
   // Channels: monochrome (drawn grey) or RGB; throws brdf::Error for spectral ones. Lobes that need importance tables
   // keep the kind of those of `before`, where it has the same models, so that the structure stays.
+  // Lobes that could not be turned about the normal in `before` count as such for the same reason.
   explicit vtkBRDFShaderText(const brdf::LobeSum& material, const vtkBRDFShaderText* before = nullptr);
 
   vtkBRDFShaderText(const brdf::DrawnTable& table, const brdf::TabulatedSampler& sampler);
@@ -49,8 +51,8 @@ public:
   // #line, whose source number counts the pieces from 0.
   std::string Text(Environment environment) const;
 
-  // GLSL of the material alone, for a program of one's own: brdfValue(wi, wo) of all terms, brdfMaterialSample(wo, u) and
-  // brdfMaterialPdf(wi, wo) of their mixture by brdfShares.
+  // GLSL of the material alone, for a program of one's own: brdfValue(wi, wo) of all terms, brdfMaterialSample(wo, u)
+  // and brdfMaterialPdf(wi, wo) of their mixture by brdfShares.
   std::string MaterialText() const;
 
   // Uniforms: brdfParameters (floats), brdfScales (3 floats a term), brdfSamples (1 integer a term), brdfShares (1
@@ -77,6 +79,12 @@ public:
 
   int NumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
 
+  // Terms whose filtered light is summed by draws made in advance (brdf::ViewerDraws): what is to be drawn, null for
+  // the other terms. The text reads them from the usamplerBuffer brdfDraws; uniforms brdfDrawShapes, 2 integers a term,
+  // the first texel and the number of sets, each of as many samples as brdfSamples says, and brdfDrawUnits,
+  // ViewerDraws::unit of each term.
+  std::vector<brdf::BrdfPointer> DrawnTerms() const;
+
   // Text of an embedded shader file.
   static std::string_view File(std::string_view name);
 
@@ -88,10 +96,12 @@ private:
   };
   struct Term
   {
-    const brdf::Model* Model; // null: a table
-    std::size_t Offset;       // of its first parameter
-    double Weight;            // share of the samples
-    int Sampler = -1;         // number of its importance tables
+    const brdf::Model* Model;  // null: a table
+    std::size_t Offset;        // of its first parameter
+    double Weight;             // share of the samples
+    int Sampler = -1;          // number of its importance tables
+    bool Turns = false;        // may be turned about the normal: filtered light on it is drawn in advance
+    brdf::BrdfPointer Shape{}; // of a lobe that is, with a sampler
     bool Constant() const { return this->Model && this->Model->constant(); }
   };
   struct Sampler
@@ -101,12 +111,13 @@ private:
     int Search; // largest step of a search
   };
   int AddSampler(const brdf::TabulatedSampler& sampler, bool final, double base);
-  int AddSamplerOf(const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before);
+  void AddShape(Term& term, const brdf::Lobe& lobe, std::size_t channel, const vtkBRDFShaderText* before);
   std::string UniformText() const;
   std::string SamplerText(std::size_t index) const;
   std::vector<Piece> Pieces(Environment environment, bool draws) const;
-  std::string TermText(std::size_t index) const;
+  std::string TermText(std::size_t index, bool draws) const;
   std::string ReflectedText(std::size_t index) const;
+  std::string DrawnText(std::size_t index) const;
   std::string ValueText() const;
   std::string EnvironmentText() const;
   std::string MixtureText() const;
@@ -117,9 +128,11 @@ private:
   std::vector<float> ScaleValues;
   std::vector<Sampler> Samplers;
   std::map<brdf::ModelPointer, brdf::TabulatedSampler::Kind> SamplerKinds; // of lobes
+  std::set<brdf::ModelPointer> FixedModels;                                // of lobes that may not be turned
   std::vector<int> SamplerShapeValues;
   std::vector<Buffer> BufferValues;
-  std::string TableText; // the look-up of a table
+  brdf::DrawnTable Table;
+  std::string TableText; // its look-up
   std::array<float, 3> TableBaseValues{};
   std::string StructureText;
 };

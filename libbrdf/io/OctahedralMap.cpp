@@ -173,18 +173,23 @@ OctahedralMap::Footprints OctahedralMap::footprints() const {
   Footprints result;
   // A power of two, so that equal numbers stay equal and 1 stays 1.
   if (largest > 0) result.unit = std::exp2(std::ceil(std::log2(largest / 511)));
-  result.words.resize(4 * width_ * height_);
-  parallelFor(height_, 16, [&](std::size_t first, std::size_t last) {
-    for (std::size_t row = first; row < last; ++row)
-      for (std::size_t column = 0; column < width_; ++column)
-        for (std::size_t k = 0; k < 4; ++k) {
-          const std::size_t x = std::min(column + k % 2, width_ - 1), y = std::min(row + k / 2, height_ - 1);
-          // Dithered by the R2 sequence (M. Roberts, 2018): the mean over a few texels is right to far below a step.
-          const double part = 0.7548776662466927 * static_cast<double>(x) + 0.5698402909980532 * static_cast<double>(y);
-          result.words[4 * (row * width_ + column) + k] =
-              packed(picture_.data() + 4 * (y * width_ + x), result.unit, part - std::floor(part));
-        }
-  });
+  const std::size_t rowLength = size_ + 1;
+  result.words.resize(4 * rowLength * (2 * size_ - 1 + levels_));
+  for (std::size_t level = 0; level < levels_; ++level) {
+    const std::size_t n = size_ >> level, top = 2 * (size_ - n) + level;
+    parallelFor(n + 1, 16, [&](std::size_t first, std::size_t last) {
+      for (std::size_t row = first; row < last; ++row)
+        for (std::size_t column = 0; column <= n; ++column)
+          for (std::size_t k = 0; k < 4; ++k) {
+            const std::size_t x = column + k % 2, y = row + k / 2;  // with the border, from 0
+            // Dithered by the R2 sequence (M. Roberts, 2018): the mean over a few texels is right to far below a step.
+            const double part =
+                0.7548776662466927 * static_cast<double>(x) + 0.5698402909980532 * static_cast<double>(top + y);
+            result.words[4 * ((top + row) * rowLength + column) + k] = packed(
+                texel(level, std::ptrdiff_t(x) - 1, std::ptrdiff_t(y) - 1), result.unit, part - std::floor(part));
+          }
+    });
+  }
   return result;
 }
 

@@ -33,10 +33,12 @@ class BRDF_EXPORT OctahedralMap {
   std::size_t height() const { return height_; }
   const std::vector<float>& picture() const { return picture_; }  ///< width * height * 4
 
-  /// What a bilinear look-up reads, packed so that it is one fetch of four integers: at a texel of `picture` the
-  /// colours of that texel, the next in its row, and the two above them (row + 1).
+  /// What a bilinear look-up reads, packed so that it is one fetch of four integers.
   struct Footprints {
-    std::vector<std::uint32_t> words;  ///< width() * height() * 4
+    /// Levels below each other in rows of n + 1 footprints: that of level k at column and row, each in [0, n_k], is the
+    /// four words from 4 ((2 (n - n_k) + k + row) (n + 1) + column) on. They hold the colours of the texels (column -
+    /// 1, row - 1), (column, row - 1), (column - 1, row) and (column, row).
+    std::vector<std::uint32_t> words;
     /// A word holds R, G, B in 9 bits each from the lowest on and an exponent e above: each colour is its 9 bits times
     /// 2^(e - 31) times this: within 1/256 of the largest of the three, in the mean over neighbours far nearer.
     float unit = 1;

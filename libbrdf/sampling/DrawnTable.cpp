@@ -104,7 +104,34 @@ DrawnTable tableOf(const BrdfPointer& brdf, const DrawnTableOptions& options) {
   return best;
 }
 
+/// A grid less a constant by channel.
+class AboveConstant : public Brdf {
+ public:
+  AboveConstant(std::shared_ptr<const GridBrdf> grid, std::vector<double> base)
+      : grid_(std::move(grid)), base_(std::move(base)) {}
+  const Channels& channels() const override { return grid_->channels(); }
+  Symmetry symmetry() const override { return grid_->symmetry(); }
+  bool reciprocal() const override { return grid_->reciprocal(); }
+  std::string description() const override { return grid_->description(); }
+  void evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const override {
+    grid_->evaluate(pairs, values, valid);
+    for (std::size_t c = 0; c < base_.size(); ++c)
+      for (std::size_t i = 0; i < pairs.count; ++i)
+        if (pairs.wi[2][i] > 0 && pairs.wo[2][i] > 0) values[c * pairs.count + i] -= base_[c];
+  }
+  using Brdf::evaluate;
+
+ private:
+  std::shared_ptr<const GridBrdf> grid_;
+  std::vector<double> base_;
+};
+
 }  // namespace
+
+BrdfPointer aboveBase(const DrawnTable& table) {
+  const auto above = std::make_shared<const AboveConstant>(table.grid, table.base);
+  return std::make_shared<const SampledBrdf>(above, TabulatedSampler(*above));
+}
 
 DrawnTable drawnTable(const BrdfPointer& brdf, const DrawnTableOptions& options) {
   DrawnTable table = tableOf(brdf, options);

@@ -37,4 +37,8 @@ struct DrawnTable {
 /// Throws Error::Kind::Value for spectral channels.
 BRDF_EXPORT DrawnTable drawnTable(const BrdfPointer& brdf, const DrawnTableOptions& options = {});
 
+/// The grid less its base, drawn by importance tables of its own: what environment light needs samples for. Its values
+/// may be negative.
+BRDF_EXPORT BrdfPointer aboveBase(const DrawnTable& table);
+
 }  // namespace brdf

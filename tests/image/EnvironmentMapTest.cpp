@@ -243,6 +243,7 @@ TEST(EnvironmentSampler, ABlackMapIsDrawnFromUniformly) {
   const brdf::EnvironmentSampler sampler(EnvironmentMap::constant({0, 0, 0}));
   EXPECT_NEAR(sampler.pdf(brdf::normalized({0.1, 0.9, 0.3})), 1 / (4 * kPi), 1e-9);
 }
+
 TEST(OctahedralMap, FootprintsHoldTheFourTexelsOfABilinearLookUp) {
   // Colours over nine decades, some of them 0, as maps with a sun have.
   constexpr std::size_t size = 16;
@@ -252,23 +253,26 @@ TEST(OctahedralMap, FootprintsHoldTheFourTexelsOfABilinearLookUp) {
   for (float& value : texels) value = uniform(random) < 0.1f ? 0 : std::pow(10.0f, 9 * uniform(random) - 4);
   const OctahedralMap map(size, texels);
   const OctahedralMap::Footprints footprints = map.footprints();
-  const std::size_t width = map.width();
-  ASSERT_EQ(footprints.words.size(), 4 * width * map.height());
-  for (std::size_t y = 0; y + 1 < map.height(); ++y)
-    for (std::size_t x = 0; x + 1 < width; ++x)
-      for (std::size_t k = 0; k < 4; ++k) {
-        const std::uint32_t word = footprints.words[4 * (y * width + x) + k];
-        const float* colour = map.picture().data() + 4 * ((y + k / 2) * width + x + k % 2);
-        const float largest = std::max({colour[0], colour[1], colour[2]});
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-          const double found =
-              double(word >> (9 * channel) & 511u) * std::exp2(double(word >> 27) - 31) * double(footprints.unit);
-          ASSERT_NEAR(found, double(colour[channel]), double(largest) / 256 + double(footprints.unit) * 0x1p-31);
+  std::size_t row = 0;  // of the footprints: levels below each other
+  for (std::size_t level = 0; level < map.levels(); ++level) {
+    const auto n = std::ptrdiff_t(size >> level);
+    EXPECT_EQ(row, 2 * (size - (size >> level)) + level);
+    for (std::ptrdiff_t y = 0; y <= n; ++y, ++row)
+      for (std::ptrdiff_t x = 0; x <= n; ++x)
+        for (std::ptrdiff_t k = 0; k < 4; ++k) {
+          const std::uint32_t word = footprints.words.at(4 * (row * (size + 1) + std::size_t(x)) + std::size_t(k));
+          const float* colour = map.texel(level, x - 1 + k % 2, y - 1 + k / 2);
+          const float largest = std::max({colour[0], colour[1], colour[2]});
+          for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double found =
+                double(word >> (9 * channel) & 511u) * std::exp2(double(word >> 27) - 31) * double(footprints.unit);
+            ASSERT_NEAR(found, double(colour[channel]), double(largest) / 256 + double(footprints.unit) * 0x1p-31);
+          }
         }
-      }
-  const OctahedralMap white(size, std::vector<float>(3 * size * size, 1.0f));
-  const OctahedralMap::Footprints even = white.footprints();
-  const std::uint32_t word = even.words[4 * (width * 3 + 3)];
+  }
+  EXPECT_EQ(footprints.words.size(), 4 * row * (size + 1));
+  const OctahedralMap::Footprints even = OctahedralMap(size, std::vector<float>(3 * size * size, 1.0f)).footprints();
+  const std::uint32_t word = even.words[4 * ((size + 1) * 3 + 3)];
   EXPECT_EQ(double(word & 511u) * std::exp2(double(word >> 27) - 31) * double(even.unit), 1.0);
   // A value between two steps: right in the mean.
   constexpr float between = 1.0f + 0.3f / 256;
@@ -277,7 +281,7 @@ TEST(OctahedralMap, FootprintsHoldTheFourTexelsOfABilinearLookUp) {
   double sum = 0;
   for (std::size_t y = 0; y < size; ++y)
     for (std::size_t x = 0; x < size; ++x) {
-      const std::uint32_t at = dithered.words[4 * ((y + 1) * width + x + 1)];
+      const std::uint32_t at = dithered.words[4 * ((size + 1) * y + x)];
       sum += double(at & 511u) * std::exp2(double(at >> 27) - 31) * double(dithered.unit);
     }
   EXPECT_NEAR(sum / (size * size), double(between), 0.02 / 256);

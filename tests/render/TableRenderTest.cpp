@@ -252,10 +252,12 @@ TEST_F(DrawnBrdf, ALobeWithoutASamplerIsDrawnByTablesOfItsOwnAndNeverCompilesAga
   EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
 }
 
-TEST(AdaptedSamples, AreInProportionToTheTimeAllowedBetweenTheBounds) {
+TEST(AdaptedSamples, AreTheMostHalvedUntilTheTimeAllowedSuffices) {
   // 64 samples took 0.2 s; 0.05 s are allowed: 16.
   EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.05, 0.2, 64, 4, 256), 16);
   EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.001, 0.2, 64, 4, 256), 4);
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.04, 0.1, 100, 4, 100), 25);  // 40 would do
+  EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.001, 0.1, 100, 4, 100), 4);
   EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(1e4, 0.2, 64, 4, 256), 256);
   EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(0.05, 0, 0, 4, 256), 4);
   EXPECT_EQ(vtkBRDFPolyDataMapper::AdaptedSamples(1e4, 0, 0, 4, 256), 256);
@@ -291,6 +293,26 @@ TEST_F(DrawnBrdf, AMovingSceneGetsFewerSamplesAndOneAtRestAllOfThem) {
   window->SetDesiredUpdateRate(1e6);
   window->Render();
   EXPECT_EQ(mapper->GetSamplesDrawn(), 128);
+}
+
+/// A picture as it is while something moves: at a rate that no machine keeps up, then without one.
+TEST_F(DrawnBrdf, APictureInAHurryGetsFewSamplesAndTheNextAllOfThem) {
+  render_->SetEnvironment(environment_);
+  render_->SetNumberOfSamples(128);
+  render_->SetEdgeSamples(1);
+  const BrdfPointer material = formula("0.5*Lambertian + GGX(alpha=0.3)");
+  render_->SetDesiredUpdateRate(1e9);
+  for (int frame = 0; frame < 2; ++frame) {
+    draw(material);
+    EXPECT_EQ(render_->GetSamplesOfPicture(), 4);
+  }
+  render_->SetDesiredUpdateRate(1e-3);  // 1,000 s for each
+  draw(material);
+  EXPECT_EQ(render_->GetSamplesOfPicture(), 128);
+  render_->SetDesiredUpdateRate(0);
+  draw(material);
+  EXPECT_EQ(render_->GetSamplesOfPicture(), 128);
+  EXPECT_EQ(render_->GetNumberOfShaderBuilds(), 1);
 }
 
 }  // namespace
