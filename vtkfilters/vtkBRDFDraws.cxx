@@ -34,8 +34,9 @@ vtkBRDFDraws::Buffer vtkBRDFDraws::Make(vtkOpenGLRenderWindow* window, const std
     const auto count = static_cast<std::size_t>(samples[term]);
     if (this->Terms[term] && count > 0)
     {
-      // A thousand draws of a viewer, so that few neighbouring pixels have the same noise.
-      draws = brdf::viewerDraws(*this->Terms[term], count, std::max<std::size_t>(4, 1024 / count));
+      // Few neighbouring pixels have the same noise where there is much of it, and many samples still take their time.
+      const std::size_t sets = std::max<std::size_t>(512 / count, std::clamp<std::size_t>(8192 / count, 2, 16));
+      draws = brdf::viewerDraws(*this->Terms[term], count, sets);
     }
     buffer.Shapes.insert(buffer.Shapes.end(), { static_cast<int>(words.size() / 4), static_cast<int>(draws.sets) });
     buffer.Units.push_back(draws.unit);
