@@ -130,7 +130,10 @@ class AboveConstant : public Brdf {
 
 BrdfPointer aboveBase(const DrawnTable& table) {
   const auto above = std::make_shared<const AboveConstant>(table.grid, table.base);
-  return std::make_shared<const SampledBrdf>(above, TabulatedSampler(*above));
+  SamplerOptions options;
+  options.tolerance = 0.01;  // made once for a table, and every sample has its noise
+  options.cosineShare = 0.02;
+  return std::make_shared<const SampledBrdf>(above, TabulatedSampler(*above, options));
 }
 
 DrawnTable drawnTable(const BrdfPointer& brdf, const DrawnTableOptions& options) {
