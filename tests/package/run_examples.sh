@@ -17,6 +17,8 @@ cd "$scratch/run"
 "$scratch/build/compare_fits" "$gold" "Lambertian + GGX" "Lambertian + Ward"
 "$scratch/build/fit_and_render" "$gold" "$prefix/share/brdflab/environments/venice.exr"
 "$scratch/build/turn_brdf" turned.png
+"$scratch/build/grooves" quick
+"$prefix/bin/brdf" info "grooves.vtkhdf#fit of 150 degrees" >/dev/null
 "$scratch/build/regression" GGX kept.exr
 "$scratch/build/regression" GGX kept.exr
 if "$scratch/build/regression" "GGX(alpha=0.21)" kept.exr; then
