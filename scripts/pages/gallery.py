@@ -3,7 +3,7 @@
 TITLE = "Gallery"
 INTRODUCTION = """Every kind of picture, each with the command that drew it. `scripts/draw_pages.py` draws all of them anew.
 
-They begin with a table in the layout of the MERL database, computed from a published fit, and a fit to it:"""
+They begin with a table in the layout of the MERL database, computed from a published fit, a fit to it, and a simulation:"""
 
 GOLD = "preset:bagher-sgd-gold-metallic-paint"
 SMALL = "--size 450x350"
@@ -12,6 +12,8 @@ SMALL = "--size 450x350"
 MATERIALS = [
     f"convert {GOLD} gold.binary",
     'fit gold.binary --lobes "Lambertian + GGX" --metric cuberoot --out fit.vtkhdf',
+    'simulate "brushed(coverage=3)" --facet "conductor(eta=0.2 0.9 1.1, k=3.9 2.4 2.2)" --theta-i 45 --phi-i 0,45,90 '
+    '--resolution 3 --tolerance 0.02 --out brushed.vtkhdf',
 ]
 
 SECTIONS = [
@@ -59,6 +61,16 @@ SECTIONS = [
              f"error fit.vtkhdf gold.binary --measure log --axes theta_h,theta_d {SMALL}"),
             ("error-hemisphere", "Over all view directions for one direction of light.",
              f"error fit.vtkhdf gold.binary --measure cuberoot --axes hemisphere --theta-i 60 {SMALL}"),
+        ],
+    ),
+    (
+        "Simulated",
+        "Light traced through surfaces too small to be seen: [simulation](simulation.md), "
+        "[microsurfaces](microsurfaces.md).",
+        [
+            ("surface", "Scratched metal, heights in micrometres.", f'surface "brushed(coverage=3)" {SMALL}'),
+            ("simulated", "Its reflection for light along the scratches, gold.",
+             f"lobe brushed.vtkhdf --theta-i 45 --phi-i 90 --channel rgb --transform cuberoot {SMALL}"),
         ],
     ),
     (
