@@ -188,8 +188,8 @@ SpectrumKind gaussianKind() {
                      record("correlation_y", "L_y", "um", "The same along y; as along x where it is not given.", 1,
                             1e-6, 1e6, 0.05, 100, "correlation")};
   kind.references = {{"P. Beckmann and A. Spizzichino", 1963,
-                      "The Scattering of Electromagnetic Waves from Rough Surfaces", "Pergamon Press", "",
-                      "section 5.3"}};
+                      "The Scattering of Electromagnetic Waves from Rough Surfaces", "Pergamon Press, section 5.3", "",
+                      ""}};
   kind.make = [parameters = kind.parameters](const Call& call) {
     CallArguments arguments(call);
     const double rms = arguments.number(parameters[0]), x = arguments.number(parameters[1]);

@@ -6,9 +6,9 @@
 
 namespace {
 
-const std::vector<std::string> kCommands = {"models", "info",    "eval",     "convert",  "export", "fit",
-                                            "batch",  "compare", "check",    "lobe",     "slice",  "error",
-                                            "render", "surface", "simulate", "baseline", "plugins"};
+const std::vector<std::string> kCommands = {"models", "info",    "eval",     "convert", "export",   "fit",
+                                            "batch",  "compare", "check",    "lobe",    "slice",    "error",
+                                            "render", "surface", "simulate", "waves",   "baseline", "plugins"};
 
 [[maybe_unused]] bool draws(const std::string& command) {
   return command == "lobe" || command == "slice" || command == "error" || command == "render" || command == "surface" ||

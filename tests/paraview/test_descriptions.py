@@ -130,9 +130,9 @@ class Descriptions(unittest.TestCase):
         models = json.loads(subprocess.run([BRDF, "models", "--json", "-"], check=True, capture_output=True).stdout)
         sources = {
             prop.get("default_values"): proxy
-            for proxy, _ in proxies("SourceProxy")
+            for proxy, kind in proxies("SourceProxy")
             for prop in properties(proxy)
-            if prop.get("command") == "SetModel"
+            if kind == "vtkBRDFModelSource" and prop.get("command") == "SetModel"
         }
         self.assertEqual(set(sources), {model["name"] for model in models})
         for model in models:

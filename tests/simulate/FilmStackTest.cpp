@@ -26,7 +26,7 @@ TEST(FilmStack, NormalIncidenceAndBrewster) {
 }
 
 TEST(FilmStack, QuarterWaveOfTheGeometricMeanDoesNotReflect) {
-  // R = ((n1^2 - n0 ns) / (n1^2 + n0 ns))^2 for a quarter wave of n1: Born and Wolf (1999), 1.6 (61).
+  // R = ((n1^2 - n0 ns) / (n1^2 + n0 ns))^2 for a quarter wave of n1: Born and Wolf (1999), section 1.6.4.
   const double wavelength = 0.55;
   const auto quarter = [&](double film, double substrate) {
     return FilmStack({{wavelength / (4 * film), film}}, substrate, wavelength);
@@ -39,7 +39,7 @@ TEST(FilmStack, QuarterWaveOfTheGeometricMeanDoesNotReflect) {
 }
 
 TEST(FilmStack, QuarterWaveMirrorHasItsClosedForm) {
-  // (HL)^N H on a substrate: R = ((1 - Y) / (1 + Y))^2, Y = (nH/nL)^(2N) nH^2/ns. Born and Wolf (1999), 1.6 (99).
+  // (HL)^N H on a substrate: R = ((1 - Y) / (1 + Y))^2, Y = (nH/nL)^(2N) nH^2/ns. Born and Wolf (1999), section 1.6.5.
   const double wavelength = 0.55, high = 2.3, low = 1.38;
   for (const int pairs : {1, 3, 10, 100}) {
     std::vector<FilmStack::Film> films;

@@ -33,6 +33,7 @@ Command renderCommand();
 Command surfaceCommand();
 Command simulateCommand();
 Command baselineCommand();
+Command wavesCommand();
 Command pluginsCommand();
 
 /// All commands in the order in which help shows them.

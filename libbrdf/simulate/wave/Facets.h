@@ -37,15 +37,16 @@ using ShadowingPointer = std::shared_ptr<const Shadowing>;
 
 /// Smith's for Gaussian slopes of one-dimensional rms `w`, light and viewer independent: S(theta_i) S(theta_s),
 /// S = (1 - erfc(mu/(sqrt2 w))/2) / (1 + Lambda), mu = cot theta. B. G. Smith, IEEE Trans. Antennas Propag. 15, 668-671
-/// (1967), doi:10.1109/TAP.1967.1138991, (24).
+/// (1967), doi:10.1109/TAP.1967.1138991.
 BRDF_EXPORT ShadowingPointer smithShadowing(double w);
 /// V-grooves: min(1, 2 hz cos_i / (h.wi), 2 hz cos_s / (h.wi)). K. E. Torrance and E. M. Sparrow, J. Opt. Soc. Am. 57,
 /// 1105-1114 (1967), doi:10.1364/JOSA.57.001105; in this form R. L. Cook and K. E. Torrance, ACM Trans. Graph. 1, 7-24
 /// (1982), doi:10.1145/357290.357293.
 BRDF_EXPORT ShadowingPointer grooveShadowing();
-/// J. R. Maxwell and J. Beard et al., Bidirectional Model Validation and Parameterization, AFAL-TR-73-303 (1973): an
-/// empirical form, (1 + theta_n/omega exp(-2 beta/tau)) / (1 + theta_n/omega), theta_n the polar angle of the facet's
-/// normal, beta half of the angle between light and viewer; omega and tau in radians, > 0.
+/// An empirical form, (1 + theta_n/omega exp(-2 beta/tau)) / (1 + theta_n/omega), theta_n the polar angle of the
+/// facet's normal, beta half of the angle between light and viewer; omega and tau in radians, > 0. J. R. Maxwell, J.
+/// Beard, S. Weiner, D. Ladd and S. Ladd, Bidirectional Reflectance Model Validation and Utilization, AFAL-TR-73-303
+/// (1973).
 BRDF_EXPORT ShadowingPointer maxwellBeardShadowing(double omega, double tau);
 
 /// Facets that reflect as mirrors: BRDF = P(slope) / cos^4 theta_n * R(half angle) / (4 cos_i cos_s), times the part

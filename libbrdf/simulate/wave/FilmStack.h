@@ -9,8 +9,8 @@ namespace brdf::wave {
 /// Homogeneous films on a substrate, in air (index 1), at one wavelength: Fresnel's amplitudes of the whole.
 ///
 /// Computed by the recursion of Airy's sums from the substrate outwards, whose exponentials decay only, so that thick
-/// absorbing films do not overflow. M. Born and E. Wolf, Principles of Optics, 7th ed. (1999), section 1.5.2 (Fresnel
-/// formulae (20), (21)) and 1.6.4 (a film, (55), (56)); fields exp(-i omega t). The amplitude rp is that of the
+/// absorbing films do not overflow. M. Born and E. Wolf, Principles of Optics, 7th ed. (1999), sections 1.5.2
+/// (Fresnel's formulae) and 1.6.4 (a film); fields exp(-i omega t). The amplitude rp is that of the
 /// electric field along p of the incident to p of the reflected light (Polarization.h): rp = -rs at normal incidence.
 class BRDF_EXPORT FilmStack {
  public:

@@ -19,13 +19,13 @@ using ScattererPointer = std::shared_ptr<const Scatterer>;
 
 /// `radius` and `wavelength` (in vacuum) in micrometres; `medium`: real index around the sphere.
 BRDF_EXPORT ScattererPointer mieScatterer(double radius, Complex sphere, double medium, double wavelength);
-/// The limit of small spheres: S1 = -i x^3 (m^2 - 1)/(m^2 + 2), S2 = S1 cos(angle); Bohren and Huffman (1983), (5.4).
-/// Absorption by (5.11), scattering by (5.8).
+/// The limit of small spheres: S1 = -i x^3 (m^2 - 1)/(m^2 + 2), S2 = S1 cos(angle); Bohren and Huffman (1983),
+/// section 5.1, with its (5.8) for scattering and (5.11) to lowest order for absorption.
 BRDF_EXPORT ScattererPointer rayleighScatterer(double radius, Complex sphere, double medium, double wavelength);
 
 /// Spheres above a plane, independent of each other: direct scattering, scattering of the reflected light, reflection
 /// of the scattered light, and both, added with their phases; no further multiple scattering between sphere and plane.
-/// T. A. Germer, Appl. Opt. 36, 8798-8805 (1997), doi:10.1364/AO.36.008798, (1) to (5).
+/// T. A. Germer, Appl. Opt. 36, 8798-8805 (1997), doi:10.1364/AO.36.008798.
 /// `density` a um^2; `distance` of the centre above the surface, um. BRDF = density dC/dOmega / (cos_i cos_s).
 BRDF_EXPORT ScatterModelPointer doubleInteraction(ScattererPointer scatterer, FilmStack stack, double density,
                                                   double distance, double wavelength);
@@ -49,7 +49,7 @@ class BRDF_EXPORT PhaseFunction {
 using PhaseFunctionPointer = std::shared_ptr<const PhaseFunction>;
 
 /// (1 - g^2) / (1 + g^2 - 2 g cos)^(3/2) / (4 pi). L. G. Henyey and J. L. Greenstein, Astrophys. J. 93, 70-83 (1941),
-/// doi:10.1086/144246, (2).
+/// doi:10.1086/144246.
 BRDF_EXPORT PhaseFunctionPointer henyeyGreenstein(double g);
 BRDF_EXPORT PhaseFunctionPointer isotropicPhase();
 /// 3 (1 + cos^2) / (16 pi).

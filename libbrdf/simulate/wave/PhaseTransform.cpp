@@ -33,11 +33,12 @@ double largestTerm(double g, double a) {
   if (slope(1) <= 0) return 1;
   double low = 1, high = 2 * std::max({g, std::sqrt(a), 2.0});
   while (slope(high) > 0) high *= 2;
-  for (int k = 0; k < 60 && high - low > 1e-3 * low; ++k) {
-    const double middle = std::sqrt(low * high);
+  // To a hundredth of the width of the bell, which is at most sqrt(m).
+  for (int k = 0; k < 200 && high - low > 0.01 * std::sqrt(low) / (1 + std::sqrt(2 * a) / low); ++k) {
+    const double middle = low + (high - low) / 2;
     (slope(middle) > 0 ? low : high) = middle;
   }
-  return std::sqrt(low * high);
+  return low + (high - low) / 2;
 }
 
 /// exp(-g) sum over m >= 1 of g^m / (m! m) exp(-a/m): Beckmann's series, from its largest term to both sides.
@@ -87,12 +88,10 @@ class GaussianTransform : public PhaseTransform {
 
 PhaseTransform::~PhaseTransform() = default;
 
-std::shared_ptr<const PhaseTransform> PhaseTransform::of(const SpectrumPointer& spectrum, double, double) {
-  if (!std::isfinite(spectrum->variance()))
-    throw Error(Error::Kind::Value, {"the spectrum has no variance", "wave model", spectrum->description(),
-                                     "a spectrum of finite variance: gaussian, or abc with c > 2"});
+std::shared_ptr<const PhaseTransform> PhaseTransform::of(const SpectrumPointer& spectrum) {
   if (const auto gaussian = spectrum->gaussian()) return std::make_shared<GaussianTransform>(*gaussian);
-  throw Error(Error::Kind::Value, {"no transform of this spectrum", "wave model", spectrum->description(), "gaussian"});
+  throw Error(Error::Kind::Value, {"theories of any height are offered for Gaussian spectra", "wave model",
+                                   spectrum->description(), "gaussian(...), or RayleighRice"});
 }
 
 }  // namespace brdf::wave

@@ -85,8 +85,7 @@ class PhaseScale {
  public:
   PhaseScale(const SpectrumPointer& spectrum, double wavelength)
       : wavelength_(wavelength), variance_(spectrum->variance()) {
-    const double largestG = square(4 * kPi / wavelength) * variance_;
-    transform_ = PhaseTransform::of(spectrum, largestG, 2 / wavelength);
+    transform_ = PhaseTransform::of(spectrum);
   }
   void evaluate(const Geometry* geometry, std::size_t count, double* scales) const {
     double g[kBlock]{}, fx[kBlock]{}, fy[kBlock]{};

@@ -9,7 +9,7 @@ namespace brdf::wave {
 
 /// Scattering amplitudes of a slightly rough interface of relative index `index`, first order in the height, over
 /// 4 pi sqrt(cos_i cos_s PSD) / wavelength^2: S. O. Rice, Commun. Pure Appl. Math. 4, 351-378 (1951),
-/// doi:10.1002/cpa.3160040206; D. E. Barrick, Radar Cross Section Handbook (1970), chapter 9, (9.1-96) to (9.1-100);
+/// doi:10.1002/cpa.3160040206; D. E. Barrick, Radar Cross Section Handbook (1970), chapter 9;
 /// J. C. Stover, Optical Scattering (1995), chapter 4. With e = index^2, q = sqrt(e - sin^2), c = cos:
 ///   ss = (e-1) cos phi / ((ci + qi) (cs + qs)),       pToS = -(e-1) qi sin phi / ((e ci + qi) (cs + qs)),
 ///   sToP = -(e-1) qs sin phi / ((ci + qi) (e cs + qs)),
@@ -27,10 +27,9 @@ class BRDF_EXPORT PhaseTransform {
  public:
   virtual ~PhaseTransform();
   virtual void evaluate(const double* g, const double* fx, const double* fy, double* phi, std::size_t count) const = 0;
-  /// `largestG`, `largestF` (1/um): what will be asked for. Gaussian spectra by Beckmann's series, summed about its
-  /// largest term, at any g; other isotropic ones from a table of the transform made here, good to 1e-6 of its value.
-  /// Throws Error::Kind::Value for spectra without variance and for anisotropic ones that are not Gaussian.
-  static std::shared_ptr<const PhaseTransform> of(const SpectrumPointer& spectrum, double largestG, double largestF);
+  /// Of Gaussian spectra by Beckmann's series, summed about its
+  /// largest term, at any g; Throws Error::Kind::Value for any other spectrum.
+  static std::shared_ptr<const PhaseTransform> of(const SpectrumPointer& spectrum);
 };
 
 /// Generalised Harvey-Shack: BRDF = |perturbationAmplitudes|^2 Phi(g, q / wavelength) / wavelength^2,

@@ -342,7 +342,7 @@ std::vector<WaveKind> partKinds() {
                    {kSmith},
                    {},
                    {{"B. G. Smith", 1967, "Geometrical shadowing of a random rough surface",
-                     "IEEE Trans. Antennas Propag. 15, 668-671", "10.1109/TAP.1967.1138991", "(24)"}}});
+                     "IEEE Trans. Antennas Propag. 15, 668-671", "10.1109/TAP.1967.1138991", ""}}});
   kinds.push_back(
       {"shadowing",
        "grooves",
@@ -372,7 +372,7 @@ std::vector<WaveKind> partKinds() {
                    {kAsymmetry},
                    {},
                    {{"L. G. Henyey and J. L. Greenstein", 1941, "Diffuse radiation in the galaxy",
-                     "Astrophys. J. 93, 70-83", "10.1086/144246", "(2)"}}});
+                     "Astrophys. J. 93, 70-83", "10.1086/144246", ""}}});
   kinds.push_back({"phase", "isotropic", "1 / (4 pi)", "", {}, {}, {}});
   kinds.push_back({"phase", "rayleigh", "3 (1 + cos^2) / (16 pi)", "", {}, {}, {}});
   kinds.push_back(

@@ -130,7 +130,7 @@ Entry harveyShackEntry() {
        "Rough interface, generalised Harvey-Shack",
        "Any height, moderate slopes, large angles; amplitudes of polarisation as Rayleigh and Rice's, with which it "
        "agrees for small heights where theta_s is near theta_i. The whole spectrum counts as roughness; not "
-       "renormalised. Spectra of finite variance.",
+       "renormalised. Gaussian spectra.",
        {kEta, kK},
        {kIndexArgument, kSpectrumArgument},
        {{"A. Krywonos, J. E. Harvey and N. Choi", 2011,
@@ -153,7 +153,7 @@ Entry beckmannEntry() {
         kSpectrumArgument,
         {"form", "text", "Of the factor F.", "original", {"original", "modified"}}},
        {{"P. Beckmann and A. Spizzichino", 1963, "The Scattering of Electromagnetic Waves from Rough Surfaces",
-         "Pergamon Press", "", "section 5.3"},
+         "Pergamon Press, section 5.3", "", ""},
         {"J. E. Harvey, A. Krywonos and C. L. Vernold", 2007,
          "Modified Beckmann-Kirchhoff scattering model for rough surfaces with large incident and scattering angles",
          "Opt. Eng. 46, 078002", "10.1117/1.2752180", ""}}},
@@ -253,7 +253,7 @@ Entry firstDiffuseEntry() {
        "Semi-infinite, depolarising medium; what is scattered more than once is left to a diffuse term.",
        {kEta, kK, kScattering, kAbsorption},
        {kIndexArgument, kFilmsArgument, {"phase", "phase", "Phase function of the medium.", "henyey_greenstein", {}}},
-       {{"S. Chandrasekhar", 1960, "Radiative Transfer", "Dover", "", "section 47"},
+       {{"S. Chandrasekhar", 1960, "Radiative Transfer", "Dover, section 47", "", ""},
         {"T. A. Germer", 2003, "Polarized light diffusely scattered under smooth and rough interfaces",
          "Proc. SPIE 5158, 193-204", "10.1117/12.505976", ""}}},
       [](WaveReader& reader) {
@@ -297,7 +297,7 @@ Entry gratingEntry() {
            {kIndexArgument,
             kFilmsArgument,
             {"profile", "text", "Of the grooves.", "sinusoidal", {"sinusoidal", "lamellar"}}},
-           {{"J. W. Goodman", 1996, "Introduction to Fourier Optics", "McGraw-Hill, 2nd ed.", "", "section 4.4"}}},
+           {{"J. W. Goodman", 1996, "Introduction to Fourier Optics", "McGraw-Hill, 2nd ed., section 4.4.4", "", ""}}},
           [](WaveReader& reader) {
             CallArguments& arguments = reader.arguments();
             const std::vector<FilmStack> stacks = reader.stacks(reader.indices(kEta.defaultValue, 0));
@@ -319,7 +319,7 @@ Entry filmsEntry() {
        "Gaussian response.",
        {kEta, kK, kWidth},
        {kIndexArgument, kFilmsArgument},
-       {{"M. Born and E. Wolf", 1999, "Principles of Optics", "Cambridge, 7th ed.", "", "1.5 (20), (21), 1.6 (55)"}}},
+       {{"M. Born and E. Wolf", 1999, "Principles of Optics", "Cambridge, 7th ed., sections 1.5.2 and 1.6.4", "", ""}}},
       [](WaveReader& reader) {
         const std::vector<FilmStack> stacks = reader.stacks(reader.indices(kEta.defaultValue, 0));
         const double width = reader.arguments().number(kWidth);
