@@ -51,10 +51,7 @@ Symmetry WaveBrdf::symmetry() const {
   return own == Symmetry::Isotropic && sided ? Symmetry::Bilateral : own;
 }
 
-bool WaveBrdf::reciprocal() const {
-  const bool linear = incident_.stokes == detected_.stokes && incident_.stokes[2] == 0 && incident_.stokes[3] == 0;
-  return linear && models_.front()->reciprocal();
-}
+bool WaveBrdf::reciprocal() const { return plain_ && models_.front()->reciprocal(); }
 
 void WaveBrdf::evaluate(const DirectionPairs<double>& pairs, double* values, std::uint8_t* valid) const {
   std::fill_n(values, models_.size() * pairs.count, 0.0);

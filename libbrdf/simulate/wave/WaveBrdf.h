@@ -20,7 +20,8 @@ class BRDF_EXPORT WaveBrdf : public Brdf, public DeclaresEnergy {
 
   const Channels& channels() const override { return channels_; }
   Symmetry symmetry() const override;
-  /// Where the model is reciprocal, and light and detector are either without polarisation or of the same linear one.
+  /// Where the model is, for unpolarised light and a detector of all light: along the normal, whose plane is a
+  /// convention, states of light and viewer are not exchanged.
   bool reciprocal() const override;
   std::string description() const override { return description_; }
   /// A value that the model does not have (an infinite spectrum) is invalid.
