@@ -147,7 +147,10 @@ TEST(DamagedContainer, AnArrayThatRunsBeyondTheEndOfTheFileTakesNoMemory) {
   for (int i = 0; i < 8; ++i) cut[40 + i] = static_cast<char>(start >> (8 * i));  // end of file in the superblock
   brdf::writeFile(old, cut);
   const std::string error = errorOf([&] { Container(old).load(0); });
-  EXPECT_NE(error.find("array claims more than the file holds"), std::string::npos) << error;
+  // HDF5 1.14 finds it by itself, before us.
+  EXPECT_TRUE(error.find("array claims more than the file holds") != std::string::npos ||
+              error.find("wi: array damaged; found invalid dataset size") != std::string::npos)
+      << error;
 }
 
 TEST(DamagedContainer, MissingChannelsAndFitsOfNothingAreErrors) {
