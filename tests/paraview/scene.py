@@ -136,6 +136,7 @@ def proxies():
     spectral = simple.BRDFMaterial(Material=TASK["spectral"])
     sphere = simple.BRDFObject(Object="sphere")
     samples = simple.ProgrammableSource(OutputDataSetType="vtkTable", Script=SAMPLES)
+    grooves = simple.BRDFMicrosurface(Surface="grooves(width=4, spacing=10, angle=120)")
     special = {
         "BRDFCells": {"Input": table},
         "BRDFFillHoles": {"Input": table},
@@ -147,6 +148,9 @@ def proxies():
         "BRDFFromTable": {"Input": make("BRDFTabulate", {"Input": material, "Cells": [18, 9, 9]})},
         "BRDFFromSamples": {"Input": samples},
         "BRDFSurfaceMaterial": {"Input": sphere, "Material": material},
+        "BRDFMicrosurfaceFromData": {"Input": simple.Wavelet(WholeExtent=[0, 7, 0, 7, 0, 0]), "HeightScale": 0.001},
+        "BRDFMicrosurfaceGeometry": {"Input": grooves},
+        "BRDFGonioreflectometer": {"Input": grooves, "ThetaI": "30", "Tolerance": 0.3},
     }
     outputs = {}
     for name in TASK["sources"]:

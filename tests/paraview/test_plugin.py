@@ -261,6 +261,7 @@ class Plugin(unittest.TestCase):
         self.assertEqual(types["BRDFFit"], ["vtkDataObject", "vtkTable", "vtkTable"])
         self.assertEqual(types["BRDFLobe"], ["vtkPolyData"])
         self.assertEqual(types["BRDFSlice"], ["vtkImageData"])
+        self.assertEqual(types["BRDFGonioreflectometer"], ["vtkDataObject", "vtkTable"])
         for extension in (".binary", ".vtkhdf", ".xml", ".csv"):
             self.assertEqual(types["written" + extension][0], "BRDFReader")
             self.assertTrue(types["written" + extension][1])
