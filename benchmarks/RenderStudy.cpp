@@ -14,6 +14,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>

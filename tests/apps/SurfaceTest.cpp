@@ -4,6 +4,7 @@
 #include <brdf/base/Text.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {

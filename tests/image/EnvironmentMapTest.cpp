@@ -7,6 +7,7 @@
 #include <brdf/sampling/Sequence.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>

@@ -4,6 +4,7 @@
 #include <brdf/check/Cases.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <functional>

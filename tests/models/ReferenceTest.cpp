@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <algorithm>
 #include <set>
 
 namespace brdf {

@@ -19,6 +19,7 @@
 #include <vtkTIFFWriter.h>
 #include <vtkUnsignedShortArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <string>

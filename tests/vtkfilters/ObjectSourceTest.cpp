@@ -18,6 +18,7 @@
 #include <vtkSphereSource.h>
 #include <vtkXMLPolyDataWriter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <sstream>

@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/simulate/wave/Roughness.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
