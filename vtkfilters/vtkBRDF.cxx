@@ -1,5 +1,6 @@
 #include "vtkBRDF.h"
 
+#include "vtkBRDFArrays.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -48,18 +49,6 @@ void DescribeInFieldData(const brdf::Brdf& brdf, vtkFieldData* fields)
       {
         AddFieldArray(fields, prefix + lobe.model->parameters()[p].name, lobe.parameters[p]);
       }
-    }
-  }
-}
-
-// Three components of a vtkDataArray as three arrays.
-void GetComponents(vtkDataArray* array, std::array<std::vector<double>, 3>& components)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
-    {
-      components[axis][i] = array->GetComponent(i, axis);
     }
   }
 }
@@ -146,20 +135,11 @@ bool vtkBRDF::Evaluate(vtkDataArray* wi, vtkDataArray* wo, vtkDataArray* values,
     vtkErrorMacro("Evaluate needs a BRDF and the arrays wi, wo and values");
     return false;
   }
-  const vtkIdType count = wi->GetNumberOfTuples();
-  if (wi->GetNumberOfComponents() != 3 || wo->GetNumberOfComponents() != 3 || wo->GetNumberOfTuples() != count)
-  {
-    vtkErrorMacro("wi and wo need three components and equal length; found "
-                  << wi->GetNumberOfComponents() << " x " << count << " and " << wo->GetNumberOfComponents() << " x "
-                  << wo->GetNumberOfTuples());
-    return false;
-  }
   try
   {
     const int channels = this->GetNumberOfChannels();
-    brdf::DirectionPairBuffer<double> pairs(count);
-    GetComponents(wi, pairs.wi);
-    GetComponents(wo, pairs.wo);
+    const auto pairs = vtkBRDFArrays::DirectionPairs(wi, wo);
+    const auto count = static_cast<vtkIdType>(pairs.size());
     std::vector<double> planar(static_cast<std::size_t>(count) * channels);
     std::vector<std::uint8_t> flags(count);
     this->Brdf->evaluateParallel(pairs.view(), planar.data(), flags.data());

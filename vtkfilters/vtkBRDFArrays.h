@@ -10,6 +10,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <brdf/base/Error.h>
+#include <brdf/geometry/DirectionPairs.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/Channels.h>
 
@@ -90,6 +91,32 @@ inline std::vector<double> FieldNumbers(vtkFieldData* fields, const char* name)
     numbers[i] = array->GetTuple1(static_cast<vtkIdType>(i));
   }
   return numbers;
+}
+
+/** The directions to the light and to the viewer, three components each, as pairs; throws brdf::Error for arrays of
+ * other components or unequal length. */
+inline brdf::DirectionPairBuffer<double> DirectionPairs(vtkDataArray* wi, vtkDataArray* wo)
+{
+  const vtkIdType count = wi->GetNumberOfTuples();
+  if (wi->GetNumberOfComponents() != 3 || wo->GetNumberOfComponents() != 3 || wo->GetNumberOfTuples() != count)
+  {
+    throw brdf::Error(brdf::Error::Kind::Value,
+                      { "wrong arrays of directions",
+                        "wi, wo",
+                        std::to_string(wi->GetNumberOfComponents()) + " x " + std::to_string(count) + " and " +
+                          std::to_string(wo->GetNumberOfComponents()) + " x " + std::to_string(wo->GetNumberOfTuples()),
+                        "three components and equal length" });
+  }
+  brdf::DirectionPairBuffer<double> pairs(static_cast<std::size_t>(count));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      pairs.wi[axis][i] = wi->GetComponent(i, axis);
+      pairs.wo[axis][i] = wo->GetComponent(i, axis);
+    }
+  }
+  return pairs;
 }
 
 /** What so many components of values mean: by the array "wavelengths" (nm) of the field data, else 1 is monochrome and

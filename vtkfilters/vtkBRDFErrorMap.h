@@ -29,8 +29,9 @@ struct ErrorMap;
  * Output port 1 is a table of the errors of single pairs, one row a bin: "low", "high", "count" and "share" (of all
  * pairs by the solid angles that they stand for; 1 in all). The first bin holds what is smaller, too.
  *
- * Output port 2 is a table of the worst pairs, the worst first, an eighteenth of the map apart (5 of 90 degrees): "error", "theta_i",
- * "phi_i", "theta_o", "phi_o" (degrees), "a_0".. and "b_0".. (1/sr, one a channel), "x" and "y" (on the map).
+ * Output port 2 is a table of the worst pairs, the worst first, an eighteenth of the map apart (5 of 90 degrees):
+ * "error", "theta_i", "phi_i", "theta_o", "phi_o" (degrees), "a_0".. and "b_0".. (1/sr, one a channel), "x" and "y" (on
+ * the map).
  */
 class VTKBRDFFILTERS_EXPORT vtkBRDFErrorMap : public vtkBRDFChannelAlgorithm
 {

@@ -353,8 +353,7 @@ double vtkBRDFErrorMapView::AddTitles(int width, int height)
   vtkBRDFErrorMapText::AddNames(this->GetRenderer(), map, this->NameA, this->NameB, text, letters);
   return AddHeading(
     this->GetRenderer(),
-    Shortened(this->GetTitle().empty() ? "A against B: " + map->GetQuantity() : this->GetTitle(),
-              letters * 3 / 4),
+    Shortened(this->GetTitle().empty() ? "A against B: " + map->GetQuantity() : this->GetTitle(), letters * 3 / 4),
     note,
     height - text,
     text);

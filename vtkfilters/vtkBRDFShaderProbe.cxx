@@ -16,15 +16,16 @@ constexpr std::size_t kWidth = 1024;
 constexpr std::size_t kHeight = 1024;
 constexpr std::size_t kMaximumColumns = 256; // layers that every OpenGL 3.3 has
 
-std::string FragmentSource(const std::string& functions, const std::vector<vtkBRDFShaderProbe::Column>& columns,
-  const std::vector<std::string>& expressions)
+std::string FragmentSource(const std::string& functions,
+                           const std::vector<vtkBRDFShaderProbe::Column>& columns,
+                           const std::vector<std::string>& expressions)
 {
   std::string text = "#version 330 core\n" + functions +
-    "\nuniform sampler2DArray brdfProbeColumns;\nout vec4 brdfProbeValue;\nvoid main()\n{\n";
+                     "\nuniform sampler2DArray brdfProbeColumns;\nout vec4 brdfProbeValue;\nvoid main()\n{\n";
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
     text += "  float " + columns[k].Name + " = texelFetch(brdfProbeColumns, ivec3(ivec2(gl_FragCoord.xy), " +
-      std::to_string(k) + "), 0).r;\n";
+            std::to_string(k) + "), 0).r;\n";
   }
   text += "  brdfProbeValue = vec4(0.0);\n";
   for (std::size_t k = 0; k < expressions.size(); ++k)
@@ -52,23 +53,29 @@ std::string vtkBRDFShaderProbe::GetDeviceDescription()
   return this->Window->GetDeviceDescription();
 }
 
-std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(
-  const std::string& functions, const std::vector<Column>& columns, const std::vector<std::string>& expressions,
-  const std::vector<Buffer>& buffers)
+std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(const std::string& functions,
+                                                             const std::vector<Column>& columns,
+                                                             const std::vector<std::string>& expressions,
+                                                             const std::vector<Buffer>& buffers)
 {
   if (columns.empty() || columns.size() > kMaximumColumns || expressions.empty() || expressions.size() > 4)
   {
-    throw Error(Error::Kind::Value, { "wrong number of columns or expressions", "shader probe",
-      std::to_string(columns.size()) + " and " + std::to_string(expressions.size()),
-      "1 to " + std::to_string(kMaximumColumns) + " and 1 to 4" });
+    throw Error(Error::Kind::Value,
+                { "wrong number of columns or expressions",
+                  "shader probe",
+                  std::to_string(columns.size()) + " and " + std::to_string(expressions.size()),
+                  "1 to " + std::to_string(kMaximumColumns) + " and 1 to 4" });
   }
   const std::size_t count = columns[0].Values.size();
   for (const Column& column : columns)
   {
     if (column.Values.size() != count)
     {
-      throw Error(Error::Kind::Value, { "columns of different lengths", "shader probe, column " + column.Name,
-        std::to_string(column.Values.size()), std::to_string(count) });
+      throw Error(Error::Kind::Value,
+                  { "columns of different lengths",
+                    "shader probe, column " + column.Name,
+                    std::to_string(column.Values.size()),
+                    std::to_string(count) });
     }
   }
   this->Window->MakeCurrent();
@@ -127,7 +134,8 @@ std::vector<std::vector<float>> vtkBRDFShaderProbe::Evaluate(
       // Texels beyond the end hold the last row's numbers: nothing undefined is computed.
       std::copy_n(columns[k].Values.begin() + static_cast<std::ptrdiff_t>(first), length, texels.begin());
       std::fill(texels.begin() + static_cast<std::ptrdiff_t>(length),
-        texels.begin() + static_cast<std::ptrdiff_t>(passCount), texels[length - 1]);
+                texels.begin() + static_cast<std::ptrdiff_t>(passCount),
+                texels[length - 1]);
       glTexSubImage3D(
         GL_TEXTURE_2D_ARRAY, 0, 0, 0, static_cast<GLint>(k), width, height, 1, GL_RED, GL_FLOAT, texels.data());
     }

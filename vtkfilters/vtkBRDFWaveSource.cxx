@@ -1,6 +1,7 @@
 #include "vtkBRDFWaveSource.h"
 
 #include "vtkBRDF.h"
+#include "vtkBRDFArrays.h"
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
@@ -31,14 +32,6 @@ bool vtkBRDFWaveSource::EvaluateMueller(vtkDataArray* wi, vtkDataArray* wo, vtkD
     vtkErrorMacro("EvaluateMueller needs the arrays wi, wo and matrices");
     return false;
   }
-  const vtkIdType count = wi->GetNumberOfTuples();
-  if (wi->GetNumberOfComponents() != 3 || wo->GetNumberOfComponents() != 3 || wo->GetNumberOfTuples() != count)
-  {
-    vtkErrorMacro("wi and wo need three components and equal length; found "
-                  << wi->GetNumberOfComponents() << " x " << count << " and " << wo->GetNumberOfComponents() << " x "
-                  << wo->GetNumberOfTuples());
-    return false;
-  }
   if (!this->UpdateAndCheck())
   {
     return false;
@@ -51,19 +44,13 @@ bool vtkBRDFWaveSource::EvaluateMueller(vtkDataArray* wi, vtkDataArray* wo, vtkD
   }
   try
   {
-    brdf::DirectionPairBuffer<double> pairs(count);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        pairs.wi[axis][i] = wi->GetComponent(i, axis);
-        pairs.wo[axis][i] = wo->GetComponent(i, axis);
-      }
-    }
+    const auto pairs = vtkBRDFArrays::DirectionPairs(wi, wo);
+    const auto count = static_cast<vtkIdType>(pairs.size());
     std::vector<brdf::wave::Mueller> values(count);
-    brdf::parallelFor(count, 4096, [&](std::size_t first, std::size_t last) {
-      model->mueller(pairs.view().slice(first, last - first), channel, values.data() + first);
-    });
+    brdf::parallelFor(count,
+                      4096,
+                      [&](std::size_t first, std::size_t last)
+                      { model->mueller(pairs.view().slice(first, last - first), channel, values.data() + first); });
     matrices->SetNumberOfComponents(16);
     matrices->SetNumberOfTuples(count);
     for (vtkIdType i = 0; i < count; ++i)

@@ -35,9 +35,9 @@ public:
   ///@}
 
   /**
-   * Mueller matrices (1/sr) of one channel for arrays of directions: `wi` to the light and `wo` to the viewer have three
-   * components and as many tuples; `matrices` is resized to as many tuples of 16 components, row by row. Stokes vectors
-   * are (Is + Ip, Is - Ip, I(s+p) - I(s-p), Ilcp - Ircp). Zero below the horizon. False after an error.
+   * Mueller matrices (1/sr) of one channel for arrays of directions: `wi` to the light and `wo` to the viewer have
+   * three components and as many tuples; `matrices` is resized to as many tuples of 16 components, row by row. Stokes
+   * vectors are (Is + Ip, Is - Ip, I(s+p) - I(s-p), Ilcp - Ircp). Zero below the horizon. False after an error.
    */
   bool EvaluateMueller(vtkDataArray* wi, vtkDataArray* wo, vtkDataArray* matrices, int channel = 0);
 

@@ -8,8 +8,9 @@
 
 /// A plugin is a shared library that adds to the registries: formats (measured/Format.h), metrics (fit/Metric.h),
 /// optimizers (fit/Optimizer.h), exporters (exports/Exporter.h), lobes (models/Registry.h), kinds of materials
-/// (io/LoadMaterial.h) and kinds of surfaces to simulate (simulate/SurfaceKinds.h). It is loaded when the first of them is asked for anything, in every program that uses the
-/// library: the command line, Python, ParaView. docs/extending.md shows one.
+/// (io/LoadMaterial.h) and kinds of surfaces to simulate (simulate/SurfaceKinds.h). It is loaded when the first of them
+/// is asked for anything, in every program that uses the library: the command line, Python, ParaView. docs/extending.md
+/// shows one.
 namespace brdf {
 
 struct PluginContext {

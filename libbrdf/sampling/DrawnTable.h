@@ -26,9 +26,9 @@ struct DrawnTable {
   /// four regions of regionErrors(): near mirror, retro, grazing, rest.
   double error = 0;
   std::string region;  ///< that region
-  /// By channel the value that a fiftieth of the pairs of directions stay below (uniform in projected solid angle), 1/sr:
-  /// the diffuse part of a material that has one. Environment light on a constant needs no samples, so that only what
-  /// differs from it has their noise.
+  /// By channel the value that a fiftieth of the pairs of directions stay below (uniform in projected solid angle),
+  /// 1/sr: the diffuse part of a material that has one. Environment light on a constant needs no samples, so that only
+  /// what differs from it has their noise.
   std::vector<double> base;
 };
 

@@ -1,34 +1,21 @@
 // Values that an independent program (BBM 0.5.1) computed, against ours: reference/analytic_models.csv, translated by
 // tests/reference/analytic_mapping.json.
+#include "../CsvFields.h"
+
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/LobeSum.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <algorithm>
 #include <set>
 
 namespace brdf {
 namespace {
-
-/// The fields of a CSV line; a quoted field may hold commas.
-std::vector<std::string> fields(std::string_view line) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
 
 /// "Name(a = 1, b = [2, [3, 4]])" as {"a": 1, "b": [2, [3, 4]]}.
 nlohmann::json parametersOf(const std::string& text) {
@@ -110,10 +97,10 @@ TEST(Reference, ModelsAgreeWithAnIndependentProgram) {
   std::string text = readFile(table), previous;
   std::shared_ptr<const LobeSum> material;
   const std::vector<std::string_view> lines = split(text, '\n');
-  ASSERT_EQ(fields(lines[0])[3], "wi_x");
+  ASSERT_EQ(csvFields(lines[0])[3], "wi_x");
   for (std::size_t line = 1; line < lines.size(); ++line) {
     if (lines[line].empty()) continue;
-    const std::vector<std::string> row = fields(lines[line]);
+    const std::vector<std::string> row = csvFields(lines[line]);
     ASSERT_EQ(row.size(), 13u) << "line " << line + 1;
     const std::string name = row[1].substr(0, row[1].find('('));
     if (!mapping.contains(name) && name != "Aggregate") {

@@ -100,7 +100,8 @@ TEST(GpuGeometry, WhatReachesAcrossTheBorderIsThereTwice) {
   EXPECT_EQ(TileTree(packing, {-1, -1}, "test").primitives.size(), 2U);
   // Nothing of it is above an opaque plane; of a dielectric one all is met.
   const SpherePacking buried{{{{2, 2, -2}, 1}}, 4, 4, true};
-  EXPECT_EQ(TileTree(buried, {-1, -1}, "test").primitives.size(), 1U) << "a placeholder that no node names";
+  EXPECT_EQ(TileTree(buried, {-1, -1}, "test").primitives.size(), 1U)
+      << "buffers of a device are never empty; no node names it";
   EXPECT_GT(TileTree(buried, {-1, -1}, "test").nodes[0][0], 1e29F);
   EXPECT_LT(TileTree(buried, {-1, 0}, "test").nodes[0][0], 1);
 }

@@ -1,5 +1,7 @@
 // The plugin of the SCATMECH library, where it was found: every row of ../shared/reference/wave_models.csv, which
 // SCATMECH made, comes out of scatmech:... again; and what SCATMECH would pass over in silence is refused.
+#include "../CsvFields.h"
+
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
@@ -28,21 +30,6 @@ class Scatmech : public testing::Test {
   }
 };
 
-/// The cells of a line; quotation marks hold commas.
-std::vector<std::string> cellsOf(std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  return cells;
-}
-
 std::string errorOf(const std::string& material) {
   try {
     loadMaterial(material).brdf->evaluate(fromSpherical(0.5, 0), fromSpherical(0.6, 2));
@@ -64,7 +51,7 @@ TEST_F(Scatmech, EveryReferenceRowComesOutAgainWithAllSixteenElements) {
   double worst = 0;
   for (const std::string_view line : split(text, '\n')) {
     if (line.empty()) continue;
-    const auto cells = cellsOf(line);
+    const auto cells = csvFields(line);
     if (column.empty()) {
       for (std::size_t i = 0; i < cells.size(); ++i) column[cells[i]] = i;
       continue;

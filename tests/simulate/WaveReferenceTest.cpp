@@ -1,3 +1,5 @@
+#include "../CsvFields.h"
+
 #include <brdf/base/File.h>
 #include <brdf/base/Text.h>
 #include <brdf/simulate/wave/WaveModels.h>
@@ -12,21 +14,6 @@
 namespace brdf {
 namespace {
 
-/// Fields of a line of CSV; quoted ones may hold commas.
-std::vector<std::string> fields(std::string_view line) {
-  std::vector<std::string> result(1);
-  bool quoted = false;
-  for (const char c : line) {
-    if (c == '"')
-      quoted = !quoted;
-    else if (c == ',' && !quoted)
-      result.emplace_back();
-    else
-      result.back() += c;
-  }
-  return result;
-}
-
 struct Row {
   std::map<std::string, std::string> text;
   double number(const std::string& name) const { return std::strtod(text.at(name).c_str(), nullptr); }
@@ -38,7 +25,7 @@ std::vector<Row> readRows(const std::filesystem::path& path) {
   const std::string text = readFile(path);
   for (const std::string_view line : split(text, '\n')) {
     if (line.empty()) continue;
-    const std::vector<std::string> values = fields(line);
+    const std::vector<std::string> values = csvFields(line);
     if (titles.empty()) {
       titles = values;
       continue;

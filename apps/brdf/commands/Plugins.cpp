@@ -48,7 +48,11 @@ void run(const Output& output) {
   }
   output.line("lobes of one's own: " +
               (lobeFolders.empty() ? "no folder (BRDFLAB_MODEL_PATH names them)" : joined(lobeFolders)));
-  output.report({{"folders", folders}, {"plugins", found}, {"materials", kinds}, {"surfaces", surfaces}, {"lobe_folders", lobeFolders}});
+  output.report({{"folders", folders},
+                 {"plugins", found},
+                 {"materials", kinds},
+                 {"surfaces", surfaces},
+                 {"lobe_folders", lobeFolders}});
 }
 
 const MaterialKind& findKind(const std::string& name) {
