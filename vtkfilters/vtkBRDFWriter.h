@@ -5,6 +5,11 @@
 
 #include <string> // For std::string
 
+namespace brdf
+{
+class Brdf;
+}
+
 /**
  * @class vtkBRDFWriter
  * @brief Writes a BRDF to a file: a container, a material in XML, or any format of measured data, resampling where
@@ -32,6 +37,14 @@ public:
   vtkGetMacro(Format, std::string);
   ///@}
 
+  ///@{
+  /** What the BRDF is called in a container (.vtkhdf). Empty (default): the file is replaced, and the BRDF is its only
+   * entry, "material". A name: the entries that the file has stay, and this one is added; an error where it has one of
+   * that name, or the file is no container. */
+  vtkSetMacro(Entry, std::string);
+  vtkGetMacro(Entry, std::string);
+  ///@}
+
   /** Writes. 0, with the reason in GetPipelineErrorText(), when that failed. */
   int Write();
 
@@ -46,9 +59,11 @@ protected:
 private:
   vtkBRDFWriter(const vtkBRDFWriter&) = delete;
   void operator=(const vtkBRDFWriter&) = delete;
+  void AddEntry(const brdf::Brdf& brdf);
 
   std::string FileName;
   std::string Format;
+  std::string Entry;
   std::string Losses;
 };
 #endif

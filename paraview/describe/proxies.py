@@ -71,7 +71,7 @@ READERS = [
 ]
 
 WRITERS = [
-    Proxy("BRDFWriter", "vtkBRDFWriter", {"FileName": {"file": "save"}, "Format": {}}, [MATERIAL]),
+    Proxy("BRDFWriter", "vtkBRDFWriter", {"FileName": {"file": "save"}, "Format": {}, "Entry": {}}, [MATERIAL]),
 ]
 
 FILTERS = [

@@ -397,6 +397,39 @@ class Pipeline(unittest.TestCase):
             self.assertFalse(reader.UpdateAndCheck())
             self.assertIn("no such file", reader.GetErrorText())
 
+    def test_a_container_takes_entries_by_name(self):
+        writer, reader = brdflab.vtkBRDFWriter(), brdflab.vtkBRDFReader()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "several.vtkhdf")
+            writer.SetFileName(path)
+            reader.SetFileName(path)
+            paints = {"a wall": source("0.5*Lambertian"), "gloss": source("GGX(alpha=0.3)")}
+            for name, paint in paints.items():
+                writer.SetInputConnection(paint.GetOutputPort())
+                writer.SetEntry(name)
+                self.assertTrue(writer.Write(), writer.GetPipelineErrorText())
+            for name, paint in paints.items():
+                reader.SetEntry(name)
+                self.assertTrue(reader.UpdateAndCheck(), reader.GetErrorText())
+                self.assertEqual(reader.GetOutput().GetDescription(), paint.GetOutput().GetDescription())
+            writer.AddObserver("ErrorEvent", lambda *_: None)
+            with open(path, "rb") as file:
+                before = file.read()
+            self.assertFalse(writer.Write())
+            self.assertIn("not taken", writer.GetPipelineErrorText())
+            writer.SetEntry("third")
+            writer.SetFormat("merl")
+            self.assertFalse(writer.Write())
+            self.assertIn("container", writer.GetPipelineErrorText())
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(), before)
+            writer.SetFormat("")
+            writer.SetEntry("")
+            self.assertTrue(writer.Write())
+            reader.SetEntry("1")
+            reader.AddObserver("ErrorEvent", lambda *_: None)
+            self.assertFalse(reader.UpdateAndCheck())
+
     def test_fit_of_a_formula(self):
         truth = source("0.3*Lambertian + 0.5*GGX(alpha=0.3, ior=1.5)")
         fit = brdflab.vtkBRDFFit()
