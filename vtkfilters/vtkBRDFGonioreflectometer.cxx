@@ -228,8 +228,8 @@ int vtkBRDFGonioreflectometer::RequestData(vtkInformation*,
   request.step = brdf::radians(this->Resolution);
   request.seed = static_cast<std::uint64_t>(this->Seed);
   using Kind = brdf::LayoutRequest::Bins;
-  constexpr std::array kinds = { Kind::Automatic, Kind::Spherical, Kind::Specular };
-  request.bins = kinds[Choice("bins", this->Bins, { "auto", "spherical", "specular" })];
+  constexpr std::array kinds = { Kind::Automatic, Kind::Spherical, Kind::Specular, Kind::Retro };
+  request.bins = kinds[Choice("bins", this->Bins, { "auto", "spherical", "specular", "retro" })];
   brdf::GonioreflectometerOptions options;
   options.toleranceOf = Choice("quantity of the tolerance", this->ToleranceOf, { "bins", "albedo" }) == 0
                           ? brdf::ToleranceOf::Bins

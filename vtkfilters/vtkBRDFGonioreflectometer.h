@@ -75,8 +75,9 @@ public:
   ///@}
 
   ///@{
-  /** Bins: "spherical", "specular" (rings about the mirror direction, as fine as a pilot run says) or "auto" (default:
-   * rings where the reflection is narrow). */
+  /** Bins: "spherical" (theta_o by azimuth, as wide as Resolution), "specular" or "retro" (about the mirror direction, or
+   * the one back to the light, narrow where a pilot run finds peaks), or "auto" (default: whichever flattens peaks
+   * least). */
   vtkSetMacro(Bins, std::string);
   vtkGetMacro(Bins, std::string);
   ///@}

@@ -48,7 +48,7 @@ struct BRDF_EXPORT GridLayout {
   std::vector<GridAxis> axes;
   GridSymmetry symmetry{};
   /// Specular: what the polar angle of the reference direction exceeds theta_i by, one number for each node of theta_i
-  /// (radians, interpolated linearly in theta_i): refraction of the transmitted beam. Empty: zero.
+  /// (radians, linear in theta_i): refraction of the transmitted beam; -2 theta_i: back to the light. Empty: zero.
   std::vector<double> specularOffsets{};
 
   std::size_t cells() const;

@@ -2,32 +2,74 @@
 #include <brdf/base/Text.h>
 #include <brdf/simulate/Gonioreflectometer.h>
 #include <brdf/simulate/LayoutChoice.h>
+#include <brdf/simulate/PeakCells.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace brdf {
 namespace {
 
 using Q = AxisQuantity;
+using Bins = LayoutRequest::Bins;
 
-constexpr double kNarrow = 2;     ///< a lobe is narrow where half of it is within so many steps of the mirror direction
-constexpr double kFinest = 1e-4;  ///< radians: the narrowest ring about the mirror direction
-constexpr int kPilotRings = 200;  ///< of equal ratio, from kFinest to 180 degrees
-constexpr double kShareOfRing = 0.08;  ///< of the light in bins, at most in one ring
+constexpr double kNarrowest = 1e-4;  ///< radians: no bin is cut into narrower ones
+constexpr std::size_t kMostOutgoing = std::size_t{1} << 16, kMostCells = std::size_t{1} << 22;
+constexpr double kAsGood = 0.7;  ///< of the best one's square, with which a layout that is cut less is taken
+constexpr std::size_t kLightsCompared = 24;
+constexpr std::uint64_t kFewestPilotRays = 1 << 10, kMostPilotRays = 1 << 15;
+constexpr double kNoLight = 1e-3;  ///< of what arrives: less is not looked at
 
-struct Pilot {
-  std::vector<double> edges;   ///< of rings about the mirror direction, radians
-  std::vector<double> shares;  ///< of the light in bins: mean over the directions
-  double halfWidth = std::numeric_limits<double>::quiet_NaN();
+/// The light of one incident direction that left on one side.
+struct PilotLight {
+  double thetaI, phiI;
+  std::vector<Direction> directions;
+  std::vector<double> shares;  ///< sum 1
 };
 
-std::vector<double> pilotEdges() {
-  std::vector<double> edges{0};
-  for (int k = 0; k <= kPilotRings; ++k) edges.push_back(kFinest * std::pow(kPi / kFinest, k / double(kPilotRings)));
-  edges.back() = kPi;
-  return edges;
+/// A way to lay the outgoing bins, before the axes of the light are added.
+struct Family {
+  Bins bins;
+  std::vector<double> polar, azimuth;  ///< edges
+  std::size_t uniform = 0;             ///< how many bins there were before any was cut
+  bool cut = false;
+
+  double growth() const {
+    return static_cast<double>((polar.size() - 1) * (azimuth.size() - 1)) / static_cast<double>(uniform);
+  }
+};
+
+std::vector<PilotLight> pilotRun(Transport& transport, std::size_t channels, const LayoutRequest& request) {
+  GridLayout whole{Parametrisation::Spherical, {{Q::ThetaI, request.thetaI}}};
+  const bool turning = request.phiI.empty();
+  if (!turning) whole.axes.push_back({Q::PhiI, request.phiI});
+  const std::vector<double> azimuths = turning ? std::vector<double>{0} : request.phiI;
+  const std::uint64_t directions = request.thetaI.size() * azimuths.size();
+  const std::uint64_t rays = std::clamp(request.pilotRays / directions, kFewestPilotRays, kMostPilotRays);
+  std::vector<PilotLight> lights;
+  std::uint64_t number = 0;
+  for (const double thetaI : request.thetaI)
+    for (const double phiI : azimuths) {
+      Tally tally(1, channels);
+      tally.listsDepartures = true;
+      transport.trace({turning, request.seed ^ (0x70696c6f74u + number++), 0, rays}, OutgoingBins(whole, thetaI, phiI),
+                      tally);
+      for (const bool transmitted : {false, true}) {
+        PilotLight light{thetaI, phiI, {}, {}};
+        double all = 0;
+        for (const Departure& departure : tally.departures) {
+          if (departure.transmitted != transmitted || !(departure.light > 0)) continue;
+          light.directions.push_back(departure.direction);
+          light.shares.push_back(departure.light);
+          all += departure.light;
+        }
+        if (!(all > kNoLight * static_cast<double>(rays))) continue;
+        for (double& share : light.shares) share /= all;
+        lights.push_back(std::move(light));
+      }
+    }
+  return lights;
 }
 
 GridAxis axisOf(Q quantity, std::vector<double> edges) {
@@ -36,56 +78,128 @@ GridAxis axisOf(Q quantity, std::vector<double> edges) {
   return axis;
 }
 
-Pilot pilotRun(Transport& transport, std::size_t channels, const LayoutRequest& request) {
-  Pilot pilot{pilotEdges(), {}, std::numeric_limits<double>::quiet_NaN()};
-  GridLayout layout{Parametrisation::Specular, {axisOf(Q::SpecularTheta, pilot.edges), {Q::ThetaI, request.thetaI}}};
-  if (!request.phiI.empty()) layout.axes.push_back({Q::PhiI, request.phiI});
-  pilot.shares.assign(pilot.edges.size() - 1, 0.0);
-  std::vector<std::size_t> chosen{0, request.thetaI.size() / 2, request.thetaI.size() - 1};
-  chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
-  for (const std::size_t k : chosen) {
-    const OutgoingBins bins(layout, request.thetaI[k], request.phiI.empty() ? 0 : request.phiI[0]);
-    Tally tally(bins.count(), channels);
-    transport.trace({request.phiI.empty(), request.seed ^ (0x70696c6f74u + k), 0, request.pilotRays}, bins, tally);
-    std::vector<double> rings(bins.count());
-    double all = 0;
-    for (std::size_t e = 0; e < tally.reflected.sum.size(); ++e) {
-      rings[e % bins.count()] += tally.reflected.sum[e];
-      all += tally.reflected.sum[e];
-    }
-    if (!(all > 0)) continue;
-    double within = 0, width = kPi;
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-      pilot.shares[r] += rings[r] / all / static_cast<double>(chosen.size());
-      if (within < all / 2 && within + rings[r] >= all / 2) width = pilot.edges[r + 1];
-      within += rings[r];
-    }
-    if (!(pilot.halfWidth <= width)) pilot.halfWidth = width;
-  }
-  return pilot;
+Family familyOf(Bins bins, const LayoutRequest& request) {
+  const auto cells = [&](double range) {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(range / request.step - 1e-9)));
+  };
+  const bool spherical = bins == Bins::Spherical, isotropic = request.phiI.empty();
+  const double polar = spherical ? kPi / 2 : kPi, turn = isotropic ? kPi : 2 * kPi;
+  // An anisotropic table has a cell about the azimuth 0: grooves and their like send light there.
+  const std::size_t sectors = cells(turn);
+  const double first = isotropic ? 0 : -kPi / static_cast<double>(sectors);
+  Family family{bins, GridAxis::uniformCells(Q::ThetaO, 0, polar, cells(polar)).edges,
+                GridAxis::uniformCells(Q::PhiO, first, first + turn, sectors).edges};
+  family.uniform = sectors * (family.polar.size() - 1);
+  return family;
 }
 
-/// Rings that hold little of the light each, grow by half at most from one to the next where the light is, and are no
-/// wider than the step.
-std::vector<double> ringEdges(const Pilot& pilot, double step) {
-  std::vector<double> edges{0};
-  double share = 0;
-  for (std::size_t r = 0; r < pilot.shares.size(); ++r) {
-    share += pilot.shares[r];
-    const double width = pilot.edges[r + 1] - edges.back();
-    const bool nextTooMuch = r + 1 < pilot.shares.size() && share + pilot.shares[r + 1] > kShareOfRing;
-    const bool nextTooWide = r + 1 < pilot.shares.size() && pilot.edges[r + 2] - edges.back() > step;
-    if ((nextTooMuch && width >= kFinest) || nextTooWide) {
-      edges.push_back(pilot.edges[r + 1]);
-      share = 0;
-    }
-    if (edges.back() > 2 * step && edges.back() > 0.5 * kPi / 9) break;
+GridLayout layoutOf(const Family& family, const LayoutRequest& request) {
+  const bool spherical = family.bins == Bins::Spherical, isotropic = request.phiI.empty();
+  GridLayout layout{spherical ? Parametrisation::Spherical : Parametrisation::Specular,
+                    {axisOf(spherical ? Q::ThetaO : Q::SpecularTheta, family.polar),
+                     axisOf(!spherical  ? Q::SpecularPhi
+                            : isotropic ? Q::PhiDifference
+                                        : Q::PhiO,
+                            family.azimuth),
+                     {Q::ThetaI, request.thetaI}}};
+  if (!isotropic) {
+    layout.axes[1].period = 2 * kPi;
+    layout.axes.push_back({Q::PhiI, request.phiI});
+    layout.axes.back().period = 2 * kPi;
   }
-  // From here on nothing is narrow.
-  const double from = edges.back();
-  const int count = std::max(1, static_cast<int>(std::ceil((kPi - from) / step)));
-  for (int k = 1; k <= count; ++k) edges.push_back(from + (kPi - from) * k / count);
-  return edges;
+  layout.symmetry.mirror = isotropic;
+  if (family.bins == Bins::Retro)
+    for (const double thetaI : request.thetaI) layout.specularOffsets.push_back(-2 * thetaI);
+  return layout;
+}
+
+void cutPeaks(Family& family, const std::vector<PilotLight>& lights, const LayoutRequest& request) {
+  std::vector<AxisLight> polar, azimuth;
+  // One bin: coordinates are all that is asked of it.
+  const GridLayout layout = layoutOf(
+      {family.bins, {family.polar.front(), family.polar.back()}, {family.azimuth.front(), family.azimuth.back()}},
+      request);
+  for (const PilotLight& light : lights) {
+    const OutgoingBins bins(layout, light.thetaI, light.phiI);
+    std::array<std::vector<double>, 2> positions;
+    for (const Direction& direction : light.directions) {
+      const auto place = bins.coordinates(direction);
+      for (std::size_t k = 0; k < 2; ++k) positions[k].push_back(place[k]);
+    }
+    polar.emplace_back(positions[0], light.shares);
+    azimuth.emplace_back(positions[1], light.shares);
+  }
+  const bool spherical = family.bins == Bins::Spherical;
+  // Of light that is spread evenly: per projected solid angle about the normal, per solid angle elsewhere.
+  const auto ofPolar = [&](double angle) {
+    const double root = std::sin(spherical ? angle : angle / 2);
+    return root * root;
+  };
+  const auto ofAzimuth = [](double angle) { return angle; };
+  const std::size_t incident = request.thetaI.size() * std::max<std::size_t>(request.phiI.size(), 1);
+  const std::size_t most = std::max(family.uniform, std::min(kMostOutgoing, kMostCells / incident));
+  for (;;) {
+    std::vector<double> rings = cutWherePeaked(family.polar, polar, ofPolar, kNarrowest, false);
+    std::vector<double> sectors = cutWherePeaked(family.azimuth, azimuth, ofAzimuth, kNarrowest, !request.phiI.empty());
+    if (rings.size() == family.polar.size() && sectors.size() == family.azimuth.size()) return;
+    if ((rings.size() - 1) * (sectors.size() - 1) > most) return;
+    family.polar = std::move(rings);
+    family.azimuth = std::move(sectors);
+    family.cut = true;
+  }
+}
+
+/// Of each light the integral of its density's square (a mean over each bin) times the cosine: means lose of it what
+/// they flatten. Over pairs of different rays, so that more bins do not seem better by chance.
+std::vector<double> squares(const Family& family, const std::vector<PilotLight>& lights, const LayoutRequest& request) {
+  const GridLayout layout = layoutOf(family, request);
+  std::vector<double> list;
+  for (const PilotLight& light : lights) {
+    const OutgoingBins bins(layout, light.thetaI, light.phiI);
+    std::vector<double> sums(bins.count()), ofSquares(bins.count());
+    for (std::size_t k = 0; k < light.directions.size(); ++k) {
+      const std::size_t bin = bins.find(light.directions[k]);
+      if (bin == bins.count()) continue;
+      sums[bin] += light.shares[k];
+      ofSquares[bin] += light.shares[k] * light.shares[k];
+    }
+    double square = 0;
+    for (std::size_t b = 0; b < sums.size(); ++b)
+      if (sums[b] > 0 && bins.projectedSolidAngles()[b] > 0)
+        square += (sums[b] * sums[b] - ofSquares[b]) / bins.projectedSolidAngles()[b];
+    list.push_back(std::max(square, 0.0));
+  }
+  return list;
+}
+
+/// Of those that keep nearly as much as the best (the mean over some lights) the one that had to be cut least: it
+/// follows the peaks as the light moves, between the angles of the light as well.
+std::size_t leastFlattening(const std::vector<Family>& families, const std::vector<PilotLight>& all,
+                            const LayoutRequest& request) {
+  std::vector<PilotLight> lights;
+  const std::size_t count = std::min(all.size(), kLightsCompared);
+  for (std::size_t k = 0; k < count; ++k) lights.push_back(all[k * all.size() / count]);
+  std::vector<double> scores(families.size());
+  std::vector<std::vector<double>> kept;
+  for (const Family& family : families) kept.push_back(squares(family, lights, request));
+  for (std::size_t l = 0; l < lights.size(); ++l) {
+    double best = 0;
+    for (const auto& list : kept) best = std::max(best, list[l]);
+    for (std::size_t f = 0; f < families.size() && best > 0; ++f) scores[f] += kept[f][l] / best;
+  }
+  const double enough = kAsGood * std::ranges::max(scores);
+  std::size_t chosen = families.size();
+  for (std::size_t f = 0; f < families.size(); ++f)
+    if (scores[f] >= enough && (chosen == families.size() || families[f].growth() < families[chosen].growth()))
+      chosen = f;
+  return chosen;
+}
+
+double narrowest(const Family& family) {
+  double least = kPi;
+  for (const auto* edges : {&family.polar, &family.azimuth})
+    for (std::size_t k = 0; k + 1 < edges->size(); ++k) least = std::min(least, (*edges)[k + 1] - (*edges)[k]);
+  return least;
 }
 
 void checkAngles(const std::vector<double>& angles, const char* where, double most) {
@@ -96,9 +210,7 @@ void checkAngles(const std::vector<double>& angles, const char* where, double mo
                    "ascending, at most " + formatNumber(degrees(most), 6) + " degrees"});
 }
 
-}  // namespace
-
-LayoutChoice chooseLayout(Transport& transport, std::size_t channels, const LayoutRequest& request) {
+void checkRequest(const LayoutRequest& request) {
   if (request.thetaI.empty())
     throw Error(Error::Kind::Value, {"no incident directions", "theta_i", "none", "one or more"});
   checkAngles(request.thetaI, "theta_i", radians(kMostThetaI) + 1e-12);
@@ -106,46 +218,35 @@ LayoutChoice chooseLayout(Transport& transport, std::size_t channels, const Layo
   if (request.thetaI[0] < 0 || !(request.step >= radians(0.05) && request.step <= kPi / 4))
     throw Error(Error::Kind::Value, {"out of range", "step", formatNumber(degrees(request.step), 6) + " degrees",
                                      "0.05 to 45 degrees, and theta_i from 0"});
-  LayoutChoice choice;
-  choice.halfWidth = std::numeric_limits<double>::quiet_NaN();
-  const bool isotropic = request.phiI.empty();
-  bool specular = request.bins == LayoutRequest::Bins::Specular;
-  Pilot pilot;
-  if (request.bins != LayoutRequest::Bins::Spherical) {
-    pilot = pilotRun(transport, channels, request);
-    choice.halfWidth = pilot.halfWidth;
-    specular = specular || pilot.halfWidth < kNarrow * request.step;
-    choice.reason = std::isnan(pilot.halfWidth)
-                        ? "the pilot run reflected nothing into bins"
-                        : "half of the reflected light is within " + formatNumber(degrees(pilot.halfWidth), 3) +
-                              " degrees of the mirror direction where it is narrowest";
-  } else {
-    choice.reason = "as asked for";
+}
+
+}  // namespace
+
+LayoutChoice chooseLayout(Transport& transport, std::size_t channels, const LayoutRequest& request) {
+  checkRequest(request);
+  if (request.bins == Bins::Spherical) return {layoutOf(familyOf(Bins::Spherical, request), request), "as asked for"};
+  const std::vector<PilotLight> lights = pilotRun(transport, channels, request);
+  if (request.bins != Bins::Automatic) {
+    Family family = familyOf(request.bins, request);
+    cutPeaks(family, lights, request);
+    return {layoutOf(family, request),
+            "as asked for, bins down to " + formatNumber(degrees(narrowest(family)), 2) + " degrees"};
   }
-  const auto cells = [&](double range) {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(range / request.step - 1e-9)));
-  };
-  std::vector<GridAxis>& axes = choice.layout.axes;
-  if (specular) {
-    choice.layout.parametrisation = Parametrisation::Specular;
-    axes.push_back(axisOf(Q::SpecularTheta, ringEdges(pilot, request.step)));
-    axes.push_back(isotropic ? GridAxis::uniformCells(Q::SpecularPhi, 0, kPi, cells(kPi))
-                             : GridAxis::uniformCells(Q::SpecularPhi, 0, 2 * kPi, cells(2 * kPi)).periodic());
-  } else {
-    axes.push_back(GridAxis::uniformCells(Q::ThetaO, 0, kPi / 2, cells(kPi / 2)));
-    // An anisotropic table has a cell about phi_o = 0: grooves and their like send light there.
-    const std::size_t turn = cells(2 * kPi);
-    const double half = kPi / static_cast<double>(turn);
-    axes.push_back(isotropic ? GridAxis::uniformCells(Q::PhiDifference, 0, kPi, cells(kPi))
-                             : GridAxis::uniformCells(Q::PhiO, -half, 2 * kPi - half, turn).periodic());
-  }
-  axes.push_back({Q::ThetaI, request.thetaI});
-  if (!isotropic) {
-    axes.push_back({Q::PhiI, request.phiI});
-    axes.back().period = 2 * kPi;
-  }
-  choice.layout.symmetry.mirror = isotropic;
-  return choice;
+  Family spherical = familyOf(Bins::Spherical, request);
+  cutPeaks(spherical, lights, request);
+  if (!spherical.cut)
+    return {layoutOf(spherical, request),
+            lights.empty() ? "the pilot run sent nothing into bins" : "no peak is narrower than such bins show"};
+  std::vector<Family> families{familyOf(Bins::Specular, request), familyOf(Bins::Retro, request)};
+  for (Family& family : families) cutPeaks(family, lights, request);
+  families.push_back(std::move(spherical));
+  const Family& chosen = families[leastFlattening(families, lights, request)];
+  const char* const about = chosen.bins == Bins::Specular ? "about the mirror direction"
+                            : chosen.bins == Bins::Retro  ? "about the direction back to the light"
+                                                          : "of theta_o and azimuth";
+  return {layoutOf(chosen, request), "peaks narrower than " + formatNumber(degrees(request.step), 3) +
+                                         " degrees: bins " + about + ", down to " +
+                                         formatNumber(degrees(narrowest(chosen)), 2) + " degrees"};
 }
 
 }  // namespace brdf

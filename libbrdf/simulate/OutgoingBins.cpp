@@ -109,39 +109,50 @@ std::size_t OutgoingBins::Axis::find(double value) const {
   return above - 1;
 }
 
-std::size_t OutgoingBins::find(const Direction& wo) const {
+std::array<double, 2> OutgoingBins::place(const Direction& wo) const {
   double polar, phi;
   if (specular_) {
     const Direction off{wo[0] - pole_[0], wo[1] - pole_[1], wo[2] - pole_[2]};
-    polar = dot(off, off) / 4;  // sin^2 of half the angle
+    polar = dot(off, off) / 4;
     phi = std::atan2(dot(off, across_), dot(off, towardsNormal_));
   } else {
     polar = wo[0] * wo[0] + wo[1] * wo[1];
     phi = std::atan2(wo[1], wo[0]) - reference_;
   }
+  const double first = azimuth_.edges.front(), last = azimuth_.edges.back();
+  if (folded_) return {polar, std::clamp(std::abs(std::remainder(phi, 2 * kPi)), first, std::nextafter(last, 0))};
+  const double turns = (phi - first) / period_;
+  phi = first + (turns - std::floor(turns)) * period_;
+  // At the seam rounding may reach the far end of a full turn.
+  if (phi >= last && last >= first + period_ - 1e-9) phi = first;
+  return {polar, phi};
+}
+
+std::size_t OutgoingBins::find(const Direction& wo) const {
+  const auto [polar, phi] = place(wo);
   const std::size_t p = polar_.find(polar);
   if (p == polar_.edges.size()) return count_;
-  std::size_t a;
-  if (folded_) {
-    phi = std::abs(std::remainder(phi, 2 * kPi));
-    a = azimuth_.find(std::clamp(phi, azimuth_.edges.front(), std::nextafter(azimuth_.edges.back(), 0)));
-  } else {
-    const double first = azimuth_.edges.front(), turns = (phi - first) / period_;
-    phi = first + (turns - std::floor(turns)) * period_;
-    // At the seam rounding may reach the far end of a full turn.
-    if (phi >= azimuth_.edges.back() && azimuth_.edges.back() >= first + period_ - 1e-9) phi = first;
-    a = azimuth_.find(phi);
-  }
+  const std::size_t a = azimuth_.find(phi);
   if (a == azimuth_.edges.size()) return count_;
   return p * polar_.stride + a * azimuth_.stride;
+}
+
+std::array<double, 2> OutgoingBins::coordinates(const Direction& wo) const {
+  const auto [polar, phi] = place(wo);
+  return {std::asin(std::sqrt(std::min(polar, 1.0))) * (specular_ ? 2 : 1), phi};
 }
 
 double OutgoingBins::measure(double polar0, double polar1, double azimuth0, double azimuth1) const {
   const auto halfSquare = [](double angle) { return 0.5 * std::sin(angle) * std::sin(angle); };
   const double turn = azimuth1 - azimuth0;
   if (!specular_) return (halfSquare(polar1) - halfSquare(polar0)) * turn;
+  // A pole on the light's side is one on the other side with azimuths that differ by half a turn.
+  if (poleTheta_ < 0) {
+    azimuth0 += kPi;
+    azimuth1 += kPi;
+  }
   // cos theta_o = cos(theta) cos(pole) + sin(theta) cos(phi) sin(pole), in the angles about the pole.
-  const double c = std::cos(poleTheta_), s = std::sin(poleTheta_);
+  const double c = std::cos(poleTheta_), s = std::sin(std::abs(poleTheta_));
   const auto leastCosine = [&] {
     if (std::floor((azimuth1 - kPi) / (2 * kPi)) != std::floor((azimuth0 - kPi) / (2 * kPi))) return -1.0;
     return std::min(std::cos(azimuth0), std::cos(azimuth1));
@@ -152,8 +163,8 @@ double OutgoingBins::measure(double polar0, double polar1, double azimuth0, doub
     const auto cubic = [](double theta) { return 0.5 * (theta - std::sin(theta) * std::cos(theta)); };
     return c * (halfSquare(polar1) - halfSquare(polar0)) * turn + s * (cubic(polar1) - cubic(polar0)) * sines;
   }
-  // The horizon cuts the cell: over phi exactly, over theta by midpoints.
-  constexpr int steps = 256;
+  // The horizon cuts the cell: over phi exactly, over theta by midpoints, 0.02 degrees apart or more.
+  const int steps = static_cast<int>(std::clamp((polar1 - polar0) / radians(0.02), 16.0, 256.0));
   double total = 0;
   for (int k = 0; k < steps; ++k) {
     const double theta = polar0 + (polar1 - polar0) * (k + 0.5) / steps;

@@ -3,6 +3,7 @@
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/GridLayout.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -23,6 +24,9 @@ class BRDF_EXPORT OutgoingBins {
   std::size_t count() const { return count_; }
   /// The bin that holds a direction above the horizon, or count() where no axis reaches it.
   std::size_t find(const Direction& wo) const;
+  /// Coordinates of a direction above the horizon on the outgoing axes, radians: polar angle about the pole, and
+  /// azimuth within the range of its axis.
+  std::array<double, 2> coordinates(const Direction& wo) const;
   /// Integral of cos theta_o over the part of each bin above the horizon, sr; a bin and its mirror images that the
   /// layout's symmetry folds onto it are one. They sum to pi where the axes reach everywhere.
   const std::vector<double>& projectedSolidAngles() const { return measures_; }
@@ -47,6 +51,8 @@ class BRDF_EXPORT OutgoingBins {
     void prepare();
     std::size_t find(double value) const;  ///< edges.size() where none
   };
+  /// sin^2 of the polar angle (spherical) or of its half, as Axis::edges has it, and the azimuth within its range.
+  std::array<double, 2> place(const Direction& wo) const;
   double measure(double polar0, double polar1, double azimuth0, double azimuth1) const;
 
   double thetaI_, phiI_;

@@ -28,6 +28,7 @@ void Tally::add(const Tally& other) {
   reflected.add(other.reflected);
   transmitted.add(other.transmitted);
   outcomes.add(other.outcomes);
+  departures.insert(departures.end(), other.departures.begin(), other.departures.end());
 }
 
 }  // namespace brdf

@@ -1,5 +1,6 @@
 #pragma once
 #include <brdf/brdf_export.h>
+#include <brdf/geometry/Directions.h>
 #include <brdf/material/Channels.h>
 
 #include <cstdint>
@@ -40,6 +41,13 @@ enum class Outcome {
 };
 constexpr std::size_t kOutcomes = 7;
 
+/// A direction in which light left, before it was put into a bin.
+struct Departure {
+  Direction direction{};     ///< as OutgoingBins::find() takes it
+  double light = 0;          ///< of what the ray brought, mean over the channels
+  bool transmitted = false;  ///< left below
+};
+
 /// Where the light of many rays from one incident direction went. Every ray brings 1 in each channel; nothing else is
 /// normalised. What left specularly is in no bin.
 struct Tally {
@@ -48,6 +56,8 @@ struct Tally {
   std::uint64_t segments = 0;      ///< ray-geometry queries that were made: the cost
   RaySums reflected, transmitted;  ///< by bin, planar: channel c of bin b at [c * bins + b]
   RaySums outcomes;                ///< Outcome o of channel c at [o * channels + c]
+  bool listsDepartures = false;    ///< whether every piece of light that is put into a bin is listed as well
+  std::vector<Departure> departures;
 
   Tally() = default;
   Tally(std::size_t binCount, std::size_t channelCount)

@@ -36,8 +36,8 @@ struct RayBatch {
 class BRDF_EXPORT Transport {
  public:
   virtual ~Transport();
-  /// Adds the batch's rays, from bins.wi(), to a tally of bins.count() bins and as many channels as the surface has.
-  /// One call at a time. Throws Error::Kind::Device where a device fails.
+  /// Adds the batch's rays, from bins.wi(), to a tally of bins.count() bins and as many channels as the surface has,
+  /// and lists departures where the tally does. One call at a time. Throws Error::Kind::Device where a device fails.
   virtual void trace(const RayBatch& batch, const OutgoingBins& bins, Tally& tally) = 0;
 };
 

@@ -240,7 +240,7 @@ FILTERS = [
             "ThetaI": {},
             "PhiI": {},
             "Resolution": {"low": 0.05, "high": 45.0},
-            "Bins": {"choices": ["auto", "spherical", "specular"]},
+            "Bins": {"choices": ["auto", "spherical", "specular", "retro"]},
             "Tolerance": {"low": 0.0, "high": 1.0},
             "ToleranceOf": {"choices": ["bins", "albedo"]},
             "MaximumRays": {},

@@ -5,6 +5,7 @@
 #include <brdf/simulate/OutgoingBins.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace brdf {
@@ -33,7 +34,16 @@ std::vector<GridLayout> layouts() {
       {Parametrisation::Specular, {fine, GridAxis::uniformCells(Q::SpecularPhi, 0, kPi, 6), kThetaI}, {true, false}},
       {Parametrisation::Specular,
        {kThetaI, kPhiI, fine, GridAxis::uniformCells(Q::SpecularPhi, 0, 2 * kPi, 12).periodic()}},
-      {Parametrisation::Specular, {fine, kThetaI}, {}, {0, 0.02, 0.05, 0.1}}};
+      {Parametrisation::Specular, {fine, kThetaI}, {}, {0, 0.02, 0.05, 0.1}},
+      // About the direction back to the light.
+      {Parametrisation::Specular,
+       {fine, GridAxis::uniformCells(Q::SpecularPhi, radians(-10.0), radians(350.0), 18).periodic(), kThetaI, kPhiI},
+       {},
+       {0, radians(-40.0), radians(-100.0), radians(-160.0)}},
+      {Parametrisation::Specular,
+       {fine, GridAxis::uniformCells(Q::SpecularPhi, 0, kPi, 6), kThetaI},
+       {true, false},
+       {0, radians(-40.0), radians(-100.0), radians(-160.0)}}};
 }
 
 TEST(OutgoingBins, ProjectedSolidAnglesSumToPi) {
@@ -100,6 +110,38 @@ TEST(OutgoingBins, CosineDistributedDirectionsFillBinsByTheirMeasure) {
       for (const double measure : bins.projectedSolidAngles()) expected.push_back(draws * measure / kPi);
       EXPECT_GT(chiSquare(observed, expected).probability, level) << layout.text() << " " << theta;
     }
+}
+
+TEST(OutgoingBins, CoordinatesAreThoseOfTheBin) {
+  for (const GridLayout& layout : layouts()) {
+    const OutgoingBins bins(layout, radians(50.0), radians(45.0));
+    const auto polar = std::ranges::find_if(layout.axes, [](const GridAxis& axis) {
+      return axis.quantity == Q::ThetaO || axis.quantity == Q::SpecularTheta;
+    });
+    PathRandom random(3);
+    for (int k = 0; k < 1000; ++k) {
+      const double u = random.next(), v = random.next();
+      const Direction wo = cosineDirection(u, v);
+      const std::size_t ring = bins.ring(bins.find(wo));
+      const double angle = bins.coordinates(wo)[0];
+      EXPECT_GE(angle, polar->edges[ring] - 1e-9) << layout.text();
+      EXPECT_LE(angle, polar->edges[ring + 1] + 1e-9) << layout.text();
+    }
+  }
+}
+
+TEST(OutgoingBins, OffsetsOfMinusTwiceThetaMakeRingsAboutTheLight) {
+  const GridLayout layout{Parametrisation::Specular,
+                          {GridAxis::cellsDegrees(Q::SpecularTheta, {0, 1, 180}), kThetaI, kPhiI},
+                          {},
+                          {0, radians(-40.0), radians(-100.0), radians(-160.0)}};
+  // Between the nodes of theta_i as well.
+  for (const double theta : {0.0, 33.0, 50.0, 71.0}) {
+    const OutgoingBins bins(layout, radians(theta), radians(45.0));
+    EXPECT_EQ(bins.find(bins.wi()), 0u) << theta;
+    EXPECT_EQ(bins.find(fromSpherical(radians(theta + 0.9), radians(45.0))), 0u) << theta;
+    EXPECT_EQ(bins.find(fromSpherical(radians(theta + 1.1), radians(45.0))), 1u) << theta;
+  }
 }
 
 TEST(OutgoingBins, DirectionsThatNoAxisReachesAreInNone) {

@@ -109,7 +109,8 @@ LayoutRequest layoutRequest(const Values& values) {
   request.step = radians(values.resolution);
   request.bins = values.bins == "auto"        ? LayoutRequest::Bins::Automatic
                  : values.bins == "spherical" ? LayoutRequest::Bins::Spherical
-                                              : LayoutRequest::Bins::Specular;
+                 : values.bins == "specular"  ? LayoutRequest::Bins::Specular
+                                              : LayoutRequest::Bins::Retro;
   request.seed = values.seed;
   return request;
 }
@@ -238,9 +239,11 @@ Command simulateCommand() {
             "Incident azimuths, ascending: an anisotropic table of four dimensions; without, the mean over "
             "azimuths is isotropic");
         arguments.option("--resolution", values->resolution, {0.05, 45}, "DEGREES", "Width of the outgoing bins");
-        arguments.choice("--bins", values->bins, {"auto", "spherical", "specular"},
-                         "theta_o by phi_o, or rings about the mirror direction, finer where a pilot run finds a peak; "
-                         "auto: rings where the reflection is narrow");
+        arguments.choice(
+            "--bins", values->bins, {"auto", "spherical", "specular", "retro"},
+            "theta_o by phi_o; or rings about the mirror direction, or about the direction back to the "
+            "light, narrow where a pilot run finds peaks; auto: theta_o by phi_o, and if that would flatten "
+            "peaks those of the three that do not, narrow where the peaks are");
         arguments.option("--tolerance", values->tolerance, {1e-6, 10}, "SHARE",
                          "Rays are added to each incident direction until its standard error is below this");
         arguments.choice("--tolerance-of", values->toleranceOf, {"bins", "albedo"},

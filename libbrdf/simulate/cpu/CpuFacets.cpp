@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace brdf {
 namespace {
@@ -175,6 +176,10 @@ void CpuTransport::tallyGroup(PathGroup& group, std::size_t rays, const Outgoing
       }
       const std::size_t bin = bins.find(path.ray.direction);
       if (bin == bins.count()) continue;
+      if (tally.listsDepartures)
+        tally.departures.push_back({path.ray.direction,
+                                    std::accumulate(weight, weight + channels_, 0.0) / static_cast<double>(channels_),
+                                    !above});
       const auto same = std::find_if(arrivals.begin(), arrivals.begin() + arrived,
                                      [&](const Arrival& a) { return a.bin == bin && a.above == above; });
       if (same == arrivals.begin() + arrived) {

@@ -75,7 +75,9 @@ void CpuTransport::trace(const RayBatch& batch, const OutgoingBins& bins, Tally&
   const std::size_t groups = (batch.count + PathGroup::kRays - 1) / PathGroup::kRays;
   const std::size_t strands = std::clamp<std::size_t>(kStrandBytes / std::max<std::size_t>(bytes, 1), 1,
                                                       std::min(kStrands, std::max<std::size_t>(groups, 1)));
-  std::vector<Tally> parts(strands, Tally(tally.bins, tally.channels));
+  Tally empty(tally.bins, tally.channels);
+  empty.listsDepartures = tally.listsDepartures;
+  std::vector<Tally> parts(strands, empty);
   parallelFor(strands, 1, [&](std::size_t from, std::size_t to) {
     PathGroup group(channels_);
     for (std::size_t strand = from; strand < to; ++strand)

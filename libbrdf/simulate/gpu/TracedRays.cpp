@@ -66,7 +66,16 @@ void TracedRays::addTo(Tally& tally, const OutgoingBins& bins, std::size_t rays)
     const std::size_t count = parts == 2 && (states[first][0] & kSplit) != 0 ? 2 : 1;
     const bool together = count == 2 && arrivals[first].bin == arrivals[first + 1].bin &&
                           ((states[first][0] ^ states[first + 1][0]) & kEnded) == 0;
-    for (std::size_t k = first; k < first + count; ++k) tally.segments += states[k][2];
+    for (std::size_t k = first; k < first + count; ++k) {
+      tally.segments += states[k][2];
+      if (!tally.listsDepartures || arrivals[k].bin == bins.count()) continue;
+      const Floats& left = directions[k];
+      double light = 0;
+      for (std::size_t c = 0; c < channels; ++c) light += double(weights[k][c]);
+      tally.departures.push_back({{double(left[0]), double(left[1]), double(std::abs(left[2]))},
+                                  light / static_cast<double>(tally.channels),
+                                  outcomeOf(states[k][0]) == Outcome::Transmitted});
+    }
     for (std::size_t c = 0; c < channels; ++c) {
       const std::size_t channel = firstChannel + c;
       std::array<double, kOutcomes> totals{};
