@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <list>
 #include <optional>
 
 namespace
@@ -58,51 +59,74 @@ vtkSmartPointer<vtkTextureObject> Upload(const float* texels,
 class vtkBRDFEnvironment::Internals
 {
 public:
+  // What a window's device holds: windows that share an environment draw in turn.
+  struct Textures
+  {
+    vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+    vtkSmartPointer<vtkTextureObject> Radiance, Footprints, Diffuse;
+    vtkSmartPointer<vtkTextureObject> Light, Rows; // for unfiltered light; else null
+    float FootprintUnit = 1;
+
+    // All that there are.
+    template<class Action>
+    void ForEach(Action action)
+    {
+      for (vtkTextureObject* texture :
+           { this->Radiance.Get(), this->Footprints.Get(), this->Diffuse.Get(), this->Light.Get(), this->Rows.Get() })
+      {
+        if (texture)
+        {
+          action(texture);
+        }
+      }
+    }
+  };
+
   // Takes a map and forgets what was made from the last one.
   void SetMap(brdf::EnvironmentMap map)
   {
     this->Map = std::move(map);
     this->Radiance.reset();
-    this->Release();
+    this->Current = nullptr;
+    this->Windows.clear();
   }
-  void Release()
+  // Forgets what a window holds, and what windows held that are gone.
+  void Release(vtkWindow* window)
   {
-    this->RadianceTexture = nullptr;
-    this->FootprintTexture = nullptr;
-    this->DiffuseTexture = nullptr;
-    this->LightTexture = nullptr;
-    this->RowsTexture = nullptr;
-    this->Window = nullptr;
-  }
-  // All that there are.
-  template<class Action>
-  void ForEachTexture(Action action)
-  {
-    for (vtkTextureObject* texture : { this->RadianceTexture.Get(),
-                                       this->FootprintTexture.Get(),
-                                       this->DiffuseTexture.Get(),
-                                       this->LightTexture.Get(),
-                                       this->RowsTexture.Get() })
-    {
-      if (texture)
+    this->Windows.remove_if(
+      [&](const Textures& held)
       {
-        action(texture);
-      }
-    }
+        const bool gone = !held.Window || held.Window == window;
+        this->Current = gone && this->Current == &held ? nullptr : this->Current;
+        return gone;
+      });
   }
-  void UploadLight(vtkOpenGLRenderWindow* window);
+  void Upload(Textures& textures, vtkOpenGLRenderWindow* window);
+  void UploadLight(Textures& textures, vtkOpenGLRenderWindow* window) const;
 
   brdf::EnvironmentMap Map = brdf::EnvironmentMap::constant({ 1, 1, 1 });
   std::optional<brdf::OctahedralMap> Radiance;
   brdf::Image Diffuse;
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  vtkSmartPointer<vtkTextureObject> RadianceTexture, FootprintTexture, DiffuseTexture;
-  float FootprintUnit = 1;
-  vtkSmartPointer<vtkTextureObject> LightTexture, RowsTexture; // for unfiltered light
+  std::list<Textures> Windows;
+  Textures* Current = nullptr; // of the drawing at hand
 };
 
+void vtkBRDFEnvironment::Internals::Upload(Textures& textures, vtkOpenGLRenderWindow* window)
+{
+  const brdf::OctahedralMap& radiance = *this->Radiance;
+  textures.Radiance =
+    ::Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
+  const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
+  textures.Footprints =
+    vtkBRDFTextureBuffer::Make(window, "the environment map", footprints.words.data(), footprints.words.size() / 4, 4);
+  textures.FootprintUnit = footprints.unit;
+  textures.Diffuse =
+    ::Upload(this->Diffuse.values.data(), this->Diffuse.width, this->Diffuse.height, vtkTextureObject::Repeat, window);
+  textures.Window = window;
+}
+
 // The map itself with the tables of its density: see brdf_light.glsl.
-void vtkBRDFEnvironment::Internals::UploadLight(vtkOpenGLRenderWindow* window)
+void vtkBRDFEnvironment::Internals::UploadLight(Textures& textures, vtkOpenGLRenderWindow* window) const
 {
   const brdf::EnvironmentSampler sampler(this->Map);
   const std::vector<float> columns = sampler.columnShares(), rows = sampler.rowShares();
@@ -116,9 +140,9 @@ void vtkBRDFEnvironment::Internals::UploadLight(vtkOpenGLRenderWindow* window)
   {
     rowTexels[4 * i + 3] = rows[i];
   }
-  this->LightTexture =
-    Upload(texels.data(), this->Map.width(), this->Map.height(), vtkTextureObject::ClampToEdge, window);
-  this->RowsTexture = Upload(rowTexels.data(), rows.size(), 1, vtkTextureObject::ClampToEdge, window);
+  textures.Light =
+    ::Upload(texels.data(), this->Map.width(), this->Map.height(), vtkTextureObject::ClampToEdge, window);
+  textures.Rows = ::Upload(rowTexels.data(), rows.size(), 1, vtkTextureObject::ClampToEdge, window);
 }
 
 vtkStandardNewMacro(vtkBRDFEnvironment);
@@ -221,66 +245,61 @@ const brdf::EnvironmentMap& vtkBRDFEnvironment::GetMap() const
 void vtkBRDFEnvironment::UpdateTextures(vtkOpenGLRenderWindow* window, bool unfiltered)
 {
   Internals& data = *this->Data;
-  if (data.Window != window || !data.RadianceTexture || !data.RadianceTexture->GetHandle())
+  if (!data.Radiance)
   {
-    data.Release();
-    if (!data.Radiance)
-    {
-      data.Radiance = data.Map.radianceMap(static_cast<std::size_t>(this->GetMapSize()));
-      data.Diffuse = data.Map.diffuseMap();
-    }
-    const brdf::OctahedralMap& radiance = *data.Radiance;
-    data.RadianceTexture =
-      Upload(radiance.picture().data(), radiance.width(), radiance.height(), vtkTextureObject::ClampToEdge, window);
-    const brdf::OctahedralMap::Footprints footprints = radiance.footprints();
-    data.FootprintTexture = vtkBRDFTextureBuffer::Make(
-      window, "the environment map", footprints.words.data(), footprints.words.size() / 4, 4);
-    data.FootprintUnit = footprints.unit;
-    data.DiffuseTexture =
-      Upload(data.Diffuse.values.data(), data.Diffuse.width, data.Diffuse.height, vtkTextureObject::Repeat, window);
-    data.Window = window;
+    data.Radiance = data.Map.radianceMap(static_cast<std::size_t>(this->GetMapSize()));
+    data.Diffuse = data.Map.diffuseMap();
   }
-  if (unfiltered && !data.LightTexture)
+  auto held = std::find_if(data.Windows.begin(),
+                           data.Windows.end(),
+                           [&](const Internals::Textures& textures) { return textures.Window == window; });
+  if (held == data.Windows.end() || !held->Radiance->GetHandle())
   {
-    data.UploadLight(window);
+    data.Release(window);
+    Internals::Textures textures;
+    data.Upload(textures, window);
+    held = data.Windows.insert(data.Windows.end(), textures);
   }
+  if (unfiltered && !held->Light)
+  {
+    data.UploadLight(*held, window);
+  }
+  data.Current = &*held;
 }
 
 void vtkBRDFEnvironment::ActivateTextures()
 {
-  this->Data->ForEachTexture([](vtkTextureObject* texture) { texture->Activate(); });
+  this->Data->Current->ForEach([](vtkTextureObject* texture) { texture->Activate(); });
 }
 
 void vtkBRDFEnvironment::SetUniforms(vtkShaderProgram* program)
 {
   const Internals& data = *this->Data;
+  const Internals::Textures& textures = *data.Current;
   const float texel[2] = { 1.0f / static_cast<float>(data.Radiance->width()),
                            1.0f / static_cast<float>(data.Radiance->height()) };
-  program->SetUniformi("brdfRadiancePicture", data.RadianceTexture->GetTextureUnit());
-  program->SetUniformi("brdfFootprints", data.FootprintTexture->GetTextureUnit());
-  program->SetUniformf("brdfFootprintUnit", data.FootprintUnit);
+  program->SetUniformi("brdfRadiancePicture", textures.Radiance->GetTextureUnit());
+  program->SetUniformi("brdfFootprints", textures.Footprints->GetTextureUnit());
+  program->SetUniformf("brdfFootprintUnit", textures.FootprintUnit);
   program->SetUniformf("brdfRadianceMap.size", static_cast<float>(data.Radiance->size()));
   program->SetUniformf("brdfRadianceMap.last", static_cast<float>(data.Radiance->levels() - 1));
   program->SetUniform2f("brdfRadianceMap.texel", texel);
-  program->SetUniformi("brdfDiffusePicture", data.DiffuseTexture->GetTextureUnit());
-  if (data.LightTexture)
+  program->SetUniformi("brdfDiffusePicture", textures.Diffuse->GetTextureUnit());
+  if (textures.Light)
   {
-    program->SetUniformi("brdfLightPicture", data.LightTexture->GetTextureUnit());
-    program->SetUniformi("brdfLightRows", data.RowsTexture->GetTextureUnit());
+    program->SetUniformi("brdfLightPicture", textures.Light->GetTextureUnit());
+    program->SetUniformi("brdfLightRows", textures.Rows->GetTextureUnit());
   }
 }
 
 void vtkBRDFEnvironment::DeactivateTextures()
 {
-  this->Data->ForEachTexture([](vtkTextureObject* texture) { texture->Deactivate(); });
+  this->Data->Current->ForEach([](vtkTextureObject* texture) { texture->Deactivate(); });
 }
 
 void vtkBRDFEnvironment::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Data->Window == window)
-  {
-    this->Data->Release();
-  }
+  this->Data->Release(window);
 }
 
 void vtkBRDFEnvironment::PrintSelf(ostream& os, vtkIndent indent)

@@ -87,6 +87,8 @@ public:
   ///@}
 #endif
 
+  /** Frees what a window's device holds of the maps. Windows do it by themselves when they close; mappers do not, since
+   * others may light with the same environment. */
   void ReleaseGraphicsResources(vtkWindow* window);
 
 protected:

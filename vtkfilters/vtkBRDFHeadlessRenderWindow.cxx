@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstring>
+#include <vector>
 
 // Whoever links this library has OpenGL renderers and text, without a word in its own build.
 VTK_MODULE_INIT(vtkRenderingOpenGL2);
@@ -152,9 +153,38 @@ public:
   {
     return this->IsValid() && eglMakeCurrent(SharedDisplay().Handle, EGL_NO_SURFACE, EGL_NO_SURFACE, this->Handle);
   }
+  // Remembers what is current, whoever made it.
+  void Push()
+  {
+    this->Pushed.push_back({ eglGetCurrentDisplay(),
+                             eglGetCurrentSurface(EGL_DRAW),
+                             eglGetCurrentSurface(EGL_READ),
+                             eglGetCurrentContext() });
+  }
+  // Makes that current again.
+  bool Pop()
+  {
+    if (this->Pushed.empty())
+    {
+      return true;
+    }
+    const Binding last = this->Pushed.back();
+    this->Pushed.pop_back();
+    return last.Handle == eglGetCurrentContext() ||
+           eglMakeCurrent(
+             last.Handle == EGL_NO_CONTEXT ? SharedDisplay().Handle : last.Display, last.Draw, last.Read, last.Handle);
+  }
 
 private:
+  struct Binding
+  {
+    EGLDisplay Display;
+    EGLSurface Draw, Read;
+    EGLContext Handle;
+  };
+
   EGLContext Handle;
+  std::vector<Binding> Pushed;
 };
 
 vtkStandardNewMacro(vtkBRDFHeadlessRenderWindow);
@@ -246,6 +276,23 @@ void vtkBRDFHeadlessRenderWindow::MakeCurrent()
 bool vtkBRDFHeadlessRenderWindow::IsCurrent()
 {
   return this->Egl && this->Egl->IsCurrent();
+}
+
+void vtkBRDFHeadlessRenderWindow::PushContext()
+{
+  if (this->Egl)
+  {
+    this->Egl->Push();
+    this->MakeCurrent();
+  }
+}
+
+void vtkBRDFHeadlessRenderWindow::PopContext()
+{
+  if (this->Egl && !this->Egl->Pop())
+  {
+    vtkErrorMacro("cannot make the last EGL context current again (EGL error " << eglGetError() << ")");
+  }
 }
 
 std::string vtkBRDFHeadlessRenderWindow::GetDeviceDescription()

@@ -13,7 +13,7 @@
  * Draws into an off-screen framebuffer of its own EGL context (OpenGL 3.2 core or later) without a surface: no X
  * server, no DISPLAY. A hardware device is taken first, then Mesa's surfaceless platform, then its software device; set
  * LIBGL_ALWAYS_SOFTWARE=1 for software everywhere. Any number of these windows may live in a process; they may be
- * resized and destroyed in any order. One thread at a time.
+ * resized and destroyed in any order, and share props. One thread at a time.
  *
  * New() never fails: where there is no EGL, IsAvailable() is false, GetErrorText() says why, Render() is an error and
  * draws nothing.
@@ -38,6 +38,12 @@ public:
   void Render() override;
   void MakeCurrent() override;
   bool IsCurrent() override;
+  ///@{
+  /** Makes this window's context current, and what was current before again: VTK frees what a prop has in one window
+   * while another draws it. */
+  void PushContext() override;
+  void PopContext() override;
+  ///@}
   int SupportsOpenGL() override { return this->IsAvailable(); }
   vtkTypeBool IsDirect() override { return this->IsAvailable(); }
   const char* ReportCapabilities() override;

@@ -122,6 +122,13 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   try
   {
     auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+    if (this->Window && this->Window != window)
+    {
+      // Freeing leaves the last window's context current where that window's PopContext does nothing.
+      this->ReleaseGraphicsResources(this->Window);
+      window->MakeCurrent();
+    }
+    this->Window = window;
     this->UpdateMaterial();
     this->SamplesDrawn = this->NumberOfSamples;
     if (this->AdaptSamples)
@@ -355,10 +362,6 @@ void vtkBRDFPolyDataMapper::SetLights(vtkShaderProgram* program, vtkRenderer* re
 
 void vtkBRDFPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Environment)
-  {
-    this->Environment->ReleaseGraphicsResources(window);
-  }
   this->Material->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
   this->Superclass::ReleaseGraphicsResources(window);
 }

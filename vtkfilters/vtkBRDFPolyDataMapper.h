@@ -2,6 +2,7 @@
 #define vtkBRDFPolyDataMapper_h
 #include "vtkBRDFFiltersModule.h" // For export macro
 #include "vtkOpenGLPolyDataMapper.h"
+#include "vtkWeakPointer.h" // For vtkWeakPointer
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
@@ -12,6 +13,7 @@ class vtkBRDFEnvironment;
 class vtkBRDFMaterialShader;
 class vtkBRDFShadows;
 class vtkMatrix4x4;
+class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
 /**
@@ -225,6 +227,7 @@ private:
   void SetEnvironmentUniforms(vtkShaderProgram* program, vtkMatrix4x4* worldToView);
 
   std::unique_ptr<vtkBRDFMaterialShader> Material;
+  vtkWeakPointer<vtkOpenGLRenderWindow> Window; // of the last drawing
   vtkBRDFEnvironment* Environment = nullptr;
   vtkBRDFShadows* Shadows = nullptr;
   std::string ErrorText;

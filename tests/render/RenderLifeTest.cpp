@@ -58,7 +58,18 @@ class RenderLife : public Render {
   void expectNoError() { EXPECT_EQ(openGlError(), 0u); }
 };
 
+/// A window that leaves its context current where VTK frees what it held, as vtkGenericOpenGLRenderWindow does.
+class ForgetfulWindow : public vtkBRDFHeadlessRenderWindow {
+ public:
+  static ForgetfulWindow* New();
+  vtkTypeMacro(ForgetfulWindow, vtkBRDFHeadlessRenderWindow);
+  void PushContext() override { MakeCurrent(); }
+  void PopContext() override {}
+};
+vtkStandardNewMacro(ForgetfulWindow);
+
 /// A window of a user's own with a mapper that may move between windows.
+template <class Window = vtkBRDFHeadlessRenderWindow>
 struct OwnWindow {
   OwnWindow() {
     window->SetSize(40, 40);
@@ -79,7 +90,7 @@ struct OwnWindow {
     const auto* rgb = static_cast<const unsigned char*>(capture->GetOutput()->GetScalarPointer(20, 20, 0));
     return {double(rgb[0]), double(rgb[1]), double(rgb[2])};
   }
-  vtkNew<vtkBRDFHeadlessRenderWindow> window;
+  vtkNew<Window> window;
   vtkNew<vtkRenderer> renderer;
 };
 
@@ -165,12 +176,12 @@ TEST_F(RenderLife, EverySizeInTurn) {
 
 TEST_F(RenderLife, AMapperMovesToAnotherWindow) {
   OwnSphere sphere;
-  OwnWindow first;
+  OwnWindow<> first;
   first.show(sphere.actor);
   const Rgb before = first.middle();
   EXPECT_GT(before[0], before[1] + 20);
   {
-    OwnWindow second;
+    OwnWindow<> second;
     first.renderer->RemoveActor(sphere.actor);
     second.show(sphere.actor);
     EXPECT_EQ(second.middle(), before);
@@ -186,7 +197,7 @@ TEST_F(RenderLife, WindowsAreDestroyedAndMadeAnewUnderAMapper) {
   OwnSphere sphere;
   Rgb before{};
   for (int round = 0; round < 6; ++round) {
-    OwnWindow window;
+    OwnWindow<> window;
     window.window->SetSize(40, 40);
     window.show(sphere.actor);
     if (round == 3) continue;  // never drawn
@@ -194,5 +205,77 @@ TEST_F(RenderLife, WindowsAreDestroyedAndMadeAnewUnderAMapper) {
     if (round == 0) before = found;
     EXPECT_EQ(found, before) << round;
     expectNoError();
+  }
+}
+
+TEST_F(RenderLife, AWindowKeepsItsMapperWhileOthersThatShareItComeAndGo) {
+  OwnSphere sphere;
+  OwnWindow<> kept;
+  kept.show(sphere.actor);
+  const Rgb before = kept.middle();
+  const int objects = openGlObjects();
+  for (int round = 0; round < 4; ++round) {
+    OwnWindow<> passing;
+    passing.show(sphere.actor);
+    EXPECT_EQ(passing.middle(), before) << round;
+    expectNoError();
+    if (round % 2) passing.renderer->RemoveActor(sphere.actor);
+    EXPECT_EQ(kept.middle(), before) << round;
+    expectNoError();
+    EXPECT_EQ(openGlObjects(), objects) << round;
+  }
+  EXPECT_EQ(kept.middle(), before);
+}
+
+// Both kinds of window: those that go back to the context that was current, and those that do not.
+template <class Window>
+class TwoWindows : public RenderLife {};
+using Windows = testing::Types<vtkBRDFHeadlessRenderWindow, ForgetfulWindow>;
+TYPED_TEST_SUITE(TwoWindows, Windows);
+
+TYPED_TEST(TwoWindows, DrawAMapperInTurn) {
+  OwnSphere sphere;
+  OwnWindow<TypeParam> first, second;
+  first.show(sphere.actor);
+  second.show(sphere.actor);
+  const Rgb before = first.middle();
+  EXPECT_GT(before[0], before[1] + 20);
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_EQ(second.middle(), before) << round;
+    this->expectNoError();
+    EXPECT_EQ(first.middle(), before) << round;
+    this->expectNoError();
+  }
+}
+
+TYPED_TEST(TwoWindows, LightTwoMappersWithOneEnvironment) {
+  OwnSphere one, two;
+  two.mapper->SetEnvironment(one.environment);
+  for (const int mode : {vtkBRDFPolyDataMapper::MODE_INTERACTIVE, vtkBRDFPolyDataMapper::MODE_CONVERGING}) {
+    one.mapper->SetMode(mode);
+    two.mapper->SetMode(mode);
+    OwnWindow<TypeParam> first;
+    first.show(one.actor);
+    Rgb before{};
+    {
+      OwnWindow<TypeParam> second;
+      second.show(two.actor);
+      before = first.middle();
+      EXPECT_GT(before[0], before[1] + 20);
+      for (int round = 0; round < 3; ++round) {
+        EXPECT_EQ(second.middle(), before) << round;
+        this->expectNoError();
+        EXPECT_EQ(first.middle(), before) << round;
+        this->expectNoError();
+      }
+      one.environment->SetConstant(1, 0, 0);  // new light for both
+      EXPECT_EQ(second.middle()[1], 0);
+      EXPECT_EQ(first.middle()[1], 0);
+      one.environment->SetConstant(1, 1, 1);
+      EXPECT_EQ(second.middle(), before);
+    }
+    EXPECT_EQ(first.middle(), before) << "beside a window that is gone";
+    this->expectNoError();
+    first.renderer->RemoveActor(one.actor);
   }
 }
