@@ -22,13 +22,19 @@ MetricSums sumBlock(const SampleBlock& block, std::size_t channels, std::size_t 
                     const std::vector<MetricPointer>& metrics, bool allWeighted) {
   MetricSums sums;
   sums.samples = block.count;
-  for (std::size_t i = 0; i < block.count; ++i) sums.solidAngle += block.weights.empty() ? 1 : block.weights[i];
+  // Weights by noise have a plane a channel, of which the mean counts as the sample's.
+  const std::size_t planes = block.weights.empty() ? 0 : block.weights.size() / block.stride;
+  for (std::size_t plane = 0; plane < planes; ++plane)
+    for (std::size_t i = 0; i < block.count; ++i)
+      sums.solidAngle += block.weights[plane * block.stride + i] / static_cast<double>(planes);
+  if (planes == 0) sums.solidAngle = static_cast<double>(block.count);
   sums.weight = allWeighted ? sums.solidAngle : static_cast<double>(block.count);
   const DirectionPairs<double> pairs = block.view();
   std::vector<double> target(block.count), residual(block.count), none(block.count);
   for (const MetricPointer& metric : metrics) {
-    const double* weights = allWeighted || metric->bySolidAngle() ? block.weights.data() : nullptr;
-    const auto squared = [&](const double* f) {
+    const bool weighted = planes > 0 && (allWeighted || metric->bySolidAngle());
+    const auto squared = [&](const double* f, std::size_t channel) {
+      const double* weights = weighted ? block.weights.data() + (planes > 1 ? channel * block.stride : 0) : nullptr;
       metric->residual(f, target.data(), pairs, residual.data());
       double sum = 0;
       for (std::size_t i = 0; i < block.count; ++i) sum += (weights ? weights[i] : 1) * residual[i] * residual[i];
@@ -38,8 +44,8 @@ MetricSums sumBlock(const SampleBlock& block, std::size_t channels, std::size_t 
     for (std::size_t c = 0; c < channels; ++c) {
       // The planes: the set's own values, a's, b's where it has any; b's values are the last.
       metric->prepare(block.values.data() + (firstPlane + c) * block.stride, pairs, target.data());
-      difference += squared(block.values.data() + (channels + c) * block.stride);
-      zero += squared(none.data());
+      difference += squared(block.values.data() + (channels + c) * block.stride, c);
+      zero += squared(none.data(), c);
     }
     sums.difference.push_back(difference);
     sums.zero.push_back(zero);
@@ -66,11 +72,14 @@ Comparison compareOn(const SampleSet& samples, const Brdf& a, const Brdf* b, con
   const auto known = [&](const MetricPointer& one) { return one->name() == metric->name(); };
   if (metric && std::ranges::none_of(metrics, known)) metrics.push_back(metric);
 
+  const SampleWeights weights = rule.noise ? SampleWeights::Noise
+                                : hasCells ? SampleWeights::SolidAngle
+                                           : SampleWeights::None;
   std::vector<MetricSums> parts((count + grain - 1) / grain);
   parallelFor(count, grain, [&](std::size_t first, std::size_t last) {
-    const SampleBlock block = b ? readSamples(samples, first, last - first, rule.maximumTheta, hasCells, {&a, b})
-                                : readSamples(samples, first, last - first, rule.maximumTheta, hasCells, {&a});
-    parts[first / grain] = sumBlock(block, channels, b ? 2 * channels : 0, metrics, rule.solidAngles);
+    const SampleBlock block = b ? readSamples(samples, first, last - first, rule.maximumTheta, weights, {&a, b})
+                                : readSamples(samples, first, last - first, rule.maximumTheta, weights, {&a});
+    parts[first / grain] = sumBlock(block, channels, b ? 2 * channels : 0, metrics, rule.solidAngles || rule.noise);
   });
   Comparison comparison;
   comparison.channels = channels;

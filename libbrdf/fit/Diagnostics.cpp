@@ -47,7 +47,9 @@ ChunkResiduals residualsOf(const FitData& data, const FitChunk& chunk, const Brd
     region[i] = directionRegion(directionAt(pairs.wi, i), directionAt(pairs.wo, i));
     RegionSums& sums = result.regions[region[i]];
     ++sums.samples;
-    sums.weight += chunk.weight.empty() ? 1 : chunk.weight[i] * chunk.weight[i];
+    double weight = chunk.weight.empty() ? 1 : 0;
+    for (std::size_t at = i; at < chunk.weight.size(); at += count) weight += chunk.weight[at] * chunk.weight[at];
+    sums.weight += weight / static_cast<double>(data.weightsByChannel ? data.channels : 1);
   }
   for (std::size_t c = 0; c < data.channels; ++c) {
     const double* f = fitted.data() + c * count;

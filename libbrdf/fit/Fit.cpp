@@ -161,18 +161,14 @@ std::optional<CrossValidation> crossValidate(const FitProblem& problem, const Fi
   for (std::size_t part = 0; part < options.crossValidation; ++part) {
     const auto number = static_cast<std::uint8_t>(part);
     const FitData training = data.select(parts, number, false), rest = data.select(parts, number, true);
-    double squared = 0, weight = 0;
+    double squared = 0;
     for (const Group& group : groups) {
       const Solution solution = fitter.resume(training, group.channels, group.solution);
       JointCost cost(problem, rest, group.channels);
       squared += cost.squaredError(cost.join(solution.shape, solution.scales));
     }
     if (fitter.stopped()) return std::nullopt;
-    for (const FitChunk& chunk : rest.chunks) {
-      for (const double root : chunk.weight) weight += root * root;
-      if (chunk.weight.empty()) weight += static_cast<double>(chunk.pairs.size());
-    }
-    const double meanSquare = squared / (weight * channels);
+    const double meanSquare = squared / (rest.weightSum() * channels);
     result.partErrors.push_back(std::sqrt(meanSquare));
     total += squared;
     sum += meanSquare;

@@ -58,7 +58,7 @@ struct SampleChoice {
   std::size_t count = 0;
   std::uint64_t seed = 1;    ///< Importance
   bool solidAngles = false;  ///< All: each sample counts by the solid angle of its cell, else all alike
-  bool noise = false;        ///< All, fits only: each sample counts by 1 / variance (fit/NoiseWeights.h)
+  bool noise = false;        ///< All, fits only: each value counts by 1 / variance (fit/NoiseWeights.h)
 };
 
 struct FitOptions {

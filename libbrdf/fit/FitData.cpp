@@ -11,20 +11,21 @@ namespace brdf {
 namespace {
 
 /// Sets the target and the factors of a chunk whose pairs and weights are there.
-void setTarget(const Metric& metric, FitChunk& chunk, const double* values, std::size_t channels, std::size_t stride) {
-  const std::size_t count = chunk.pairs.size();
+void setTarget(const FitData& data, FitChunk& chunk, const double* values, std::size_t stride) {
+  const Metric& metric = *data.metric;
+  const std::size_t channels = data.channels, count = chunk.pairs.size();
   const DirectionPairs<double> pairs = chunk.pairs.view();
   chunk.target.resize(channels * count);
   for (std::size_t c = 0; c < channels; ++c)
     metric.prepare(values + c * stride, pairs, chunk.target.data() + c * count);
   if (!metric.quadratic()) return;
-  const std::size_t planes = metric.weighsByTarget() ? channels : 1;
+  const std::size_t planes = data.factorsByChannel() ? channels : 1;
   chunk.factor.resize(planes * count);
   for (std::size_t c = 0; c < planes; ++c) {
     double* factor = chunk.factor.data() + c * count;
     metric.slope(chunk.target.data() + c * count, chunk.target.data() + c * count, pairs, factor);
     if (!chunk.weight.empty())
-      for (std::size_t i = 0; i < count; ++i) factor[i] *= chunk.weight[i];
+      for (std::size_t i = 0; i < count; ++i) factor[i] *= chunk.weight[(data.weightsByChannel ? c * count : 0) + i];
   }
   if (std::ranges::all_of(chunk.factor, [](double factor) { return factor == 1; })) {
     chunk.factor = {};
@@ -92,8 +93,8 @@ ResidualBlock FitData::block(const FitChunk& chunk, std::size_t channel, std::si
   const auto plane = [&](const std::vector<double>& all, std::size_t index) {
     return all.empty() ? nullptr : all.data() + index * total + first;
   };
-  return {metric.get(), chunk.pairs.view().slice(first, count), plane(chunk.target, channel), plane(chunk.weight, 0),
-          plane(chunk.factor, factorsByChannel() ? channel : 0)};
+  return {metric.get(), chunk.pairs.view().slice(first, count), plane(chunk.target, channel),
+          plane(chunk.weight, weightsByChannel ? channel : 0), plane(chunk.factor, factorsByChannel() ? channel : 0)};
 }
 
 FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRule& rule) {
@@ -104,7 +105,11 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
   if (rule.noise && data.metric->bySolidAngle())
     throw Error(Error::Kind::Value, {"the metric weighs by solid angle, which excludes weights by noise", "metric",
                                      data.metric->name(), "a metric without weights, such as rms"});
-  const bool weighted = rule.solidAngles || data.metric->bySolidAngle();
+  SampleWeights weights = weightsOf(rule);
+  if (data.metric->bySolidAngle()) weights = SampleWeights::SolidAngle;
+  const bool weighted = weights != SampleWeights::None;
+  data.weightsByChannel = weights == SampleWeights::Noise;
+  const std::size_t planes = data.weightsByChannel ? data.channels : 1;
   const std::size_t count = set.count();
   data.chunks.resize((count + kChunkLength - 1) / kChunkLength);
   std::vector<SampleBlock> blocks(weighted ? data.chunks.size() : 0);  // their weights are known when all are read
@@ -115,14 +120,16 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
       std::copy_n(block.pairs.wo[axis].data(), block.count, chunk.pairs.wo[axis].data());
     }
     if (weighted) {
-      chunk.weight.resize(block.count);
-      for (std::size_t i = 0; i < block.count; ++i) chunk.weight[i] = std::sqrt(weightFactor * block.weights[i]);
+      chunk.weight.resize(planes * block.count);
+      for (std::size_t plane = 0; plane < planes; ++plane)
+        for (std::size_t i = 0; i < block.count; ++i)
+          chunk.weight[plane * block.count + i] = std::sqrt(weightFactor * block.weights[plane * block.stride + i]);
     }
-    setTarget(*data.metric, chunk, block.values.data(), data.channels, block.stride);
+    setTarget(data, chunk, block.values.data(), block.stride);
     if (data.metric->partial()) checkFinite(data, chunk);
   };
   parallelFor(count, kChunkLength, [&](std::size_t first, std::size_t last) {
-    SampleBlock block = readSamples(set, first, last - first, rule.maximumTheta, weighted);
+    SampleBlock block = readSamples(set, first, last - first, rule.maximumTheta, weights);
     if (weighted)
       blocks[first / kChunkLength] = std::move(block);
     else
@@ -132,10 +139,11 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
     double sum = 0;
     for (const SampleBlock& block : blocks) {
       data.samples += block.count;
-      for (std::size_t i = 0; i < block.count; ++i) sum += block.weights[i];
+      for (std::size_t plane = 0; plane < planes; ++plane)
+        for (std::size_t i = 0; i < block.count; ++i) sum += block.weights[plane * block.stride + i];
     }
-    const double samples = static_cast<double>(data.samples);
-    const double factor = rule.totalWeight || !(sum > 0) ? 1 : samples / sum;
+    const auto values = static_cast<double>(planes * data.samples);
+    const double factor = rule.totalWeight || !(sum > 0) ? 1 : values / sum;
     data.weightFactor = factor;
     parallelFor(blocks.size(), 1, [&](std::size_t first, std::size_t last) {
       for (std::size_t k = first; k < last; ++k) {
@@ -151,10 +159,20 @@ FitData FitData::read(const SampleSet& set, MetricPointer metric, const SampleRu
   return data;
 }
 
+double FitData::weightSum() const {
+  double sum = 0;
+  for (const FitChunk& chunk : chunks) {
+    for (const double root : chunk.weight) sum += root * root / static_cast<double>(weightsByChannel ? channels : 1);
+    if (chunk.weight.empty()) sum += static_cast<double>(chunk.pairs.size());
+  }
+  return sum;
+}
+
 FitData FitData::subset(std::size_t count) const {
   FitData data;
   data.metric = metric;
   data.channels = channels;
+  data.weightsByChannel = weightsByChannel;
   data.samples = std::min(count, samples);
   data.totalWeight = samples > 0 ? totalWeight * static_cast<double>(data.samples) / static_cast<double>(samples) : 0;
   std::vector<std::size_t> picks(data.samples);
@@ -163,7 +181,8 @@ FitData FitData::subset(std::size_t count) const {
     picks[k] = first + mixedBits(k) % (last - first);
   }
   // A chunk whose factors are all 1 has none, beside others that have.
-  const std::size_t weights = metric->quadratic() ? (factorsByChannel() ? channels : 1) : 0;
+  const std::size_t slopes = metric->quadratic() ? (factorsByChannel() ? channels : 1) : 0;
+  const std::size_t weights = weightsByChannel ? channels : 1;
   const bool factors = std::ranges::any_of(chunks, [](const FitChunk& chunk) { return !chunk.factor.empty(); });
   const bool weighted = std::ranges::any_of(chunks, [](const FitChunk& chunk) { return !chunk.weight.empty(); });
   std::size_t chunkIndex = 0, chunkFirst = 0;
@@ -172,8 +191,8 @@ FitData FitData::subset(std::size_t count) const {
     FitChunk& out = data.chunks.emplace_back();
     out.pairs.resize(length);
     out.target.resize(channels * length);
-    if (weighted) out.weight.assign(length, 1.0);
-    if (factors) out.factor.assign(weights * length, 1.0);
+    if (weighted) out.weight.assign(weights * length, 1.0);
+    if (factors) out.factor.assign(slopes * length, 1.0);
     for (std::size_t k = 0; k < length; ++k) {
       const std::size_t pick = picks[start + k];
       while (pick >= chunkFirst + chunks[chunkIndex].pairs.size()) chunkFirst += chunks[chunkIndex++].pairs.size();
@@ -183,7 +202,8 @@ FitData FitData::subset(std::size_t count) const {
                     {in.pairs.wo[0][i], in.pairs.wo[1][i], in.pairs.wo[2][i]});
       for (std::size_t channel = 0; channel < channels; ++channel)
         out.target[channel * length + k] = in.target[channel * inLength + i];
-      if (!in.weight.empty()) out.weight[k] = in.weight[i];
+      for (std::size_t plane = 0; plane * inLength < in.weight.size(); ++plane)
+        out.weight[plane * length + k] = in.weight[plane * inLength + i];
       for (std::size_t plane = 0; plane * inLength < in.factor.size(); ++plane)
         out.factor[plane * length + k] = in.factor[plane * inLength + i];
     }
@@ -195,6 +215,7 @@ FitData FitData::select(const std::vector<std::uint8_t>& parts, std::uint8_t par
   FitData data;
   data.metric = metric;
   data.channels = channels;
+  data.weightsByChannel = weightsByChannel;
   std::size_t first = 0;
   for (const FitChunk& in : chunks) {
     const std::size_t length = in.pairs.size();
@@ -234,13 +255,21 @@ FitData FitData::mean(std::size_t first, std::size_t count) const {
   for (const FitChunk& in : chunks) {
     const std::size_t length = in.pairs.size();
     FitChunk& out = data.chunks.emplace_back(FitChunk{in.pairs, {}, in.weight, {}, {}});
+    if (weightsByChannel && !in.weight.empty()) {
+      // Variances add up, and those of the mean's parts are divided by the square of their number.
+      out.weight.assign(length, 0.0);
+      for (std::size_t channel = first; channel < first + count; ++channel)
+        for (std::size_t i = 0; i < length; ++i)
+          out.weight[i] += 1 / (in.weight[channel * length + i] * in.weight[channel * length + i]);
+      for (double& root : out.weight) root = std::sqrt(static_cast<double>(count) / root);
+    }
     values.resize(length);
     mean.assign(length, 0.0);
     for (std::size_t channel = first; channel < first + count; ++channel) {
       block(in, channel).values(values.data());
       for (std::size_t i = 0; i < length; ++i) mean[i] += values[i] / static_cast<double>(count);
     }
-    setTarget(*metric, out, mean.data(), 1, length);
+    setTarget(data, out, mean.data(), length);
   }
   return data;
 }

@@ -13,9 +13,10 @@ struct FitChunk {
   /// Planar, channel c of sample i at target[c * pairs.size() + i]: as the metric prepares it, and for quadratic
   /// metrics times the factor, so that a residual is factor f - target.
   std::vector<double> target;
-  std::vector<double> weight;  ///< square root of each sample's weight; empty: all 1
+  /// Square roots of weights: one a sample, or planar by channel (FitData::weightsByChannel). Empty: all 1.
+  std::vector<double> weight;
   /// Quadratic metrics: the slope of the residual, weight included; one plane, or one a channel where the metric weighs
-  /// by the target. Empty: all 1.
+  /// by the target, or weights are a channel's. Empty: all 1.
   std::vector<double> factor;
   /// Pictures (FitData::pairsAResidual above 1): what each pair adds to its pixel, as a multiple of f; planar by
   /// channel.
@@ -66,8 +67,11 @@ struct BRDF_EXPORT FitData {
   ResidualBlock block(const FitChunk& chunk, std::size_t channel) const {
     return block(chunk, channel, 0, residuals(chunk));
   }
+  bool weightsByChannel = false;
   /// Whether each channel has factors of its own.
-  bool factorsByChannel() const { return channels > 1 && metric->weighsByTarget(); }
+  bool factorsByChannel() const { return channels > 1 && (weightsByChannel || metric->weighsByTarget()); }
+  /// Sum over the samples of the mean over channels of their weights.
+  double weightSum() const;
 
   /// About `count` of the samples, one from each of `count` equal runs, at a fixed pseudo-random place in its run: a
   /// regular stride would see only some columns of a table.

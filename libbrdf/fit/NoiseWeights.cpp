@@ -3,71 +3,74 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace brdf {
 
 NoiseWeightedSamples::NoiseWeightedSamples(const SampleSet& source) : source_(source) {
   constexpr std::size_t block = 65536;
-  std::vector<double> found(std::min(block, source.count())), positive;
-  std::vector<std::uint8_t> valid(found.size());
+  const std::size_t channels = source.channels().count();
+  std::vector<std::uint8_t> valid(std::min(block, source.count()));
+  std::vector<double> found(channels * valid.size());
+  std::vector<std::vector<double>> positive(channels);
+  // Until they are known, what counts as the least is what errors are.
+  leastErrors_.assign(channels, 0.0);
   for (std::size_t first = 0; first < source.count(); first += block) {
     const std::size_t length = std::min(block, source.count() - first);
-    errors(first, length, found.data());
+    if (!standardErrors(first, length, found.data())) break;
     source.read(first, length, nullptr, nullptr, valid.data());
-    for (std::size_t i = 0; i < length; ++i)
-      if (valid[i] && found[i] > 0) positive.push_back(found[i]);
+    for (std::size_t c = 0; c < channels; ++c)
+      for (std::size_t i = 0; i < length; ++i)
+        if (valid[i] && found[c * length + i] > 0) positive[c].push_back(found[c * length + i]);
   }
-  if (positive.empty())
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < channels; ++c) {
+    if (positive[c].empty()) continue;
+    const auto place = positive[c].begin() + static_cast<std::ptrdiff_t>(positive[c].size() / 20);
+    std::ranges::nth_element(positive[c], place);
+    leastErrors_[c] = *place;
+    least = std::min(least, *place);
+  }
+  if (!std::isfinite(least))
     throw Error(Error::Kind::Value, {"the target has no standard errors above 0 to weigh by",
                                      "weights",
                                      {},
                                      "a table with standard errors, such as a simulated one, or other weights"});
-  const auto place = positive.begin() + static_cast<std::ptrdiff_t>(positive.size() / 20);
-  std::ranges::nth_element(positive, place);
-  leastError_ = *place;
+  for (double& error : leastErrors_)
+    if (error == 0) error = least;
 }
 
-void NoiseWeightedSamples::errors(std::size_t first, std::size_t length, double* errors) const {
-  const std::size_t channels = source_.channels().count();
-  std::vector<double> planar(channels * length);
-  if (!source_.standardErrors(first, length, planar.data())) {
-    std::fill_n(errors, length, -1.0);
-    return;
-  }
+bool NoiseWeightedSamples::standardErrors(std::size_t first, std::size_t length, double* errors) const {
+  if (!source_.standardErrors(first, length, errors)) return false;
+  const std::size_t channels = leastErrors_.size();
   for (std::size_t i = 0; i < length; ++i) {
-    double sum = 0;
     bool known = true;
+    for (std::size_t c = 0; c < channels; ++c)
+      known = known && std::isfinite(errors[c * length + i]) && errors[c * length + i] >= 0;
     for (std::size_t c = 0; c < channels; ++c) {
-      const double error = planar[c * length + i];
-      known = known && std::isfinite(error) && error >= 0;
-      sum += error * error;
+      double& error = errors[c * length + i];
+      if (!known)
+        error = std::numeric_limits<double>::quiet_NaN();
+      else if (error == 0)
+        error = leastErrors_[c];
     }
-    errors[i] = known ? std::sqrt(sum / static_cast<double>(channels)) : -1;
   }
+  return true;
 }
 
 void NoiseWeightedSamples::read(std::size_t first, std::size_t length, DirectionPairBuffer<double>* pairs,
                                 double* values, std::uint8_t* valid) const {
   source_.read(first, length, pairs, values, valid);
   if (!values && !valid) return;
-  std::vector<double> found(length);
-  errors(first, length, found.data());
-  const std::size_t channels = values ? source_.channels().count() : 0;
+  const std::size_t channels = leastErrors_.size();
+  std::vector<double> errors(channels * length);
+  const bool any = standardErrors(first, length, errors.data());
   for (std::size_t i = 0; i < length; ++i) {
-    if (found[i] >= 0) continue;
+    if (any && !std::isnan(errors[i])) continue;
     if (valid) valid[i] = 0;
-    for (std::size_t c = 0; c < channels; ++c) values[c * length + i] = 0;
+    for (std::size_t c = 0; values && c < channels; ++c) values[c * length + i] = 0;
   }
-}
-
-bool NoiseWeightedSamples::solidAngles(std::size_t first, std::size_t length, double* measures) const {
-  errors(first, length, measures);
-  for (std::size_t i = 0; i < length; ++i) {
-    const double error = measures[i] == 0 ? leastError_ : measures[i];
-    measures[i] = error > 0 ? 1 / (error * error) : 0;
-  }
-  return true;
 }
 
 }  // namespace brdf

@@ -24,7 +24,8 @@ std::size_t packValid(SampleBlock& block, std::size_t planes, const std::uint8_t
       }
       for (std::size_t plane = 0; plane < planes; ++plane)
         block.values[plane * block.stride + kept] = block.values[plane * block.stride + i];
-      if (!block.weights.empty()) block.weights[kept] = block.weights[i];
+      for (std::size_t plane = 0; plane < block.weights.size(); plane += block.stride)
+        block.weights[plane + kept] = block.weights[plane + i];
     }
     ++kept;
   }
@@ -42,8 +43,8 @@ std::uint64_t mixedBits(std::uint64_t z) {
 
 double minimumCosine(double maximumTheta) { return maximumTheta >= 90 ? 0 : std::cos(radians(maximumTheta)) - 1e-12; }
 
-SampleBlock readSamples(const SampleSet& set, std::size_t first, std::size_t length, double maximumTheta, bool weighted,
-                        std::initializer_list<const Brdf*> others) {
+SampleBlock readSamples(const SampleSet& set, std::size_t first, std::size_t length, double maximumTheta,
+                        SampleWeights weights, std::initializer_list<const Brdf*> others) {
   const std::size_t channels = set.channels().count();
   SampleBlock block;
   block.stride = length;
@@ -57,7 +58,14 @@ SampleBlock readSamples(const SampleSet& set, std::size_t first, std::size_t len
     for (std::size_t i = 0; i < length; ++i) valid[i] = valid[i] && otherValid[i];
     plane += channels;
   }
-  if (weighted) {
+  if (weights == SampleWeights::Noise) {
+    block.weights.resize(channels * length);
+    if (!set.standardErrors(first, length, block.weights.data()))
+      throw Error(Error::Kind::Value, {"samples without standard errors cannot be weighted by noise", "samples", "",
+                                       "a table with standard errors, such as a simulated one"});
+    // Where no error is known the set calls the sample invalid.
+    for (double& weight : block.weights) weight = weight > 0 ? 1 / (weight * weight) : 0;
+  } else if (weights == SampleWeights::SolidAngle) {
     block.weights.resize(length);
     if (!set.solidAngles(first, length, block.weights.data()))
       throw Error(Error::Kind::Value, {"scattered samples have no cells, so no solid angles to weight them by",
@@ -76,8 +84,8 @@ double typicalValue(const SampleSet& set, const Brdf* b, double maximumTheta) {
       const std::size_t begin = k * count / runs, end = (k + 1) * count / runs;
       const std::size_t length = std::min(kRunLength, end - begin);
       const std::size_t first = begin + mixedBits(k) % (end - begin - length + 1);
-      SampleBlock block = b ? readSamples(set, first, length, maximumTheta, false, {b})
-                            : readSamples(set, first, length, maximumTheta, false);
+      SampleBlock block = b ? readSamples(set, first, length, maximumTheta, SampleWeights::None, {b})
+                            : readSamples(set, first, length, maximumTheta, SampleWeights::None);
       for (std::size_t c = 0; c < channels; ++c) {
         const double* values = block.values.data() + (c + (b ? channels : 0)) * block.stride;
         for (std::size_t i = 0; i < block.count; ++i) parts[k].push_back(std::abs(values[i]));

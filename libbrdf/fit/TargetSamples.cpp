@@ -180,7 +180,7 @@ TargetSamples takeSamples(BrdfPointer brdf, const SampleChoice& choice, double m
     samples.sampling = "all samples of the target";
     if (choice.noise) {
       samples.made = std::make_shared<NoiseWeightedSamples>(*samples.set);
-      samples.rule.solidAngles = samples.rule.noise = true;
+      samples.rule.noise = true;
       samples.weights = "noise";
       samples.sampling += " whose error is known";
     }

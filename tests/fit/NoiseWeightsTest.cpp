@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/fit/Fit.h>
 #include <brdf/fit/NoiseWeights.h>
+#include <brdf/fit/Samples.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
@@ -135,31 +136,116 @@ TEST(NoiseWeights, NoScatterCountsAsTheSmallestTwentieth) {
   const GridBrdf table(data, "synthetic");
   const NoiseWeightedSamples samples(*table.samples());
   const double expected = 0.01 * static_cast<double>(positive / 20 + 1);
-  EXPECT_NEAR(samples.leastError(), expected, 1e-12);
-  double weights[2];
-  samples.solidAngles(0, 2, weights);
-  EXPECT_NEAR(weights[0], 1 / 1e-4, 1e-8);
-  EXPECT_NEAR(weights[1], 1 / (expected * expected), 1e-8);
+  EXPECT_NEAR(samples.leastError(0), expected, 1e-12);
+  double errors[2];
+  ASSERT_TRUE(samples.standardErrors(0, 2, errors));
+  EXPECT_NEAR(errors[0], 0.01, 1e-12);
+  EXPECT_NEAR(errors[1], expected, 1e-12);
 }
 
-TEST(NoiseWeights, OfSeveralChannelsTheVarianceIsTheirMean) {
+TEST(NoiseWeights, EachChannelHasItsOwn) {
   GridData data = exactTable("(0.1, 0.2, 0.3)*Lambertian");
   const std::size_t cells = data.layout.cells();
   data.standardError.assign(3 * cells, 0.0);
-  for (std::size_t c = 0; c < 3; ++c)
+  for (std::size_t c = 0; c < 2; ++c)
     std::fill_n(data.standardError.begin() + static_cast<std::ptrdiff_t>(c * cells), cells,
                 0.1 * static_cast<double>(c + 1));
+  data.standardError[2 * cells + 5] = kUnknown;
   const GridBrdf table(data, "synthetic");
   const NoiseWeightedSamples samples(*table.samples());
-  double weight = 0;
-  samples.solidAngles(7, 1, &weight);
-  EXPECT_NEAR(weight, 3 / (0.01 + 0.04 + 0.09), 1e-9);
+  const SampleBlock block = readSamples(samples, 0, 8, 90, SampleWeights::Noise);
+  ASSERT_EQ(block.count, 7u) << "without the sample whose error is not known in one channel";
+  for (std::size_t i = 0; i < block.count; ++i) {
+    EXPECT_NEAR(block.weights[i], 100, 1e-9);
+    EXPECT_NEAR(block.weights[block.stride + i], 25, 1e-9);
+    // No scatter in the third channel at all: as the least of the others.
+    EXPECT_NEAR(block.weights[2 * block.stride + i], 100, 1e-9);
+  }
   // Luminance: never more than the sum of its parts.
   const BrdfPointer seen =
       selectChannels(std::make_shared<GridBrdf>(table.data(), "synthetic"), {FitChannels::Kind::Luminance, {}});
   double error = 0;
   ASSERT_TRUE(seen->samples()->standardErrors(7, 1, &error));
-  EXPECT_NEAR(error, 0.2126 * 0.1 + 0.7152 * 0.2 + 0.0722 * 0.3, 1e-6);
+  EXPECT_NEAR(error, 0.2126 * 0.1 + 0.7152 * 0.2, 1e-6);
+}
+
+TEST(NoiseWeights, ChannelsOfDifferentNoiseGiveTheVarianceOfTheirInformation) {
+  // Three channels of one shape: 2 % noise in a third of the cells of each channel, another third in each, 40 % in the
+  // others. Of independent Gaussian noise the best estimate has the variance 1 / (J' W J) with W = 1 / variance, of
+  // every value: what the fit reports. With one weight a sample, from the mean variance over channels, all cells would
+  // weigh nearly alike, and the estimate scatter more.
+  const GridData exact = exactTable("(0.3, 0.4, 0.5)*Lambertian + (0.5, 0.4, 0.3)*GGX(alpha=0.3)");
+  const std::size_t cells = exact.layout.cells();
+  constexpr std::size_t repeats = 200;
+  double scatter = 0, reported = 0, pulls = 0, chiSquare = 0, ofMeans = 0;
+  for (std::size_t seed = 0; seed < repeats; ++seed) {
+    GridData noisy = exact;
+    noisy.standardError.resize(exact.values.size());
+    SurfaceRandom random(seed);
+    for (std::size_t c = 0; c < 3; ++c)
+      for (std::size_t k = 0; k < cells; ++k) {
+        const std::size_t at = c * cells + k;
+        noisy.standardError[at] = (k % 3 == c ? 0.02 : 0.4) * exact.values[at];
+        noisy.values[at] += noisy.standardError[at] * random.normal();
+      }
+    const FitReport report = fitted(noisy, true);
+    const FittedParameter& alpha = parameter(report, 1, "alpha");
+    ASSERT_TRUE(alpha.standardError.has_value());
+    scatter += std::pow(alpha.value - 0.3, 2) / repeats;
+    reported += std::pow(*alpha.standardError, 2) / repeats;
+    pulls += std::pow((alpha.value - 0.3) / *alpha.standardError, 2) / repeats;
+    chiSquare += std::stod(report.notes.back().substr(std::string("reduced chi-square ").size())) / repeats;
+    // One weight a sample: the same mean variance in every channel.
+    GridData alike = noisy;
+    for (std::size_t k = 0; k < cells; ++k) {
+      double sum = 0;
+      for (std::size_t c = 0; c < 3; ++c) sum += std::pow(noisy.standardError[c * cells + k], 2);
+      for (std::size_t c = 0; c < 3; ++c) alike.standardError[c * cells + k] = std::sqrt(sum / 3);
+    }
+    if (seed % 4 == 0) ofMeans += 4 * std::pow(parameter(fitted(alike, true), 1, "alpha").value - 0.3, 2) / repeats;
+  }
+  EXPECT_LT(std::abs(scatter / reported - 1) / std::sqrt(2.0 / repeats), 4);
+  EXPECT_LT(std::abs(pulls - 1) / std::sqrt(2.0 / repeats), 4);
+  EXPECT_NEAR(chiSquare, 1, 4 * std::sqrt(2.0 / 2590 / repeats));
+  RecordProperty("ratio", std::to_string(ofMeans / scatter));
+  EXPECT_GT(ofMeans, 4 * scatter);
+}
+
+TEST(NoiseWeights, ReachMetricsThatAreNotQuadraticAndTheComparison) {
+  // Channels whose noise differs tenfold: the report's error is that of the weighted residuals, computed here by hand.
+  GridData data = exactTable("(0.3, 0.5, 0.6)*Lambertian");
+  const std::size_t cells = data.layout.cells();
+  data.standardError.resize(data.values.size());
+  SurfaceRandom random(3);
+  for (std::size_t k = 0; k < data.values.size(); ++k) {
+    data.standardError[k] = (k < cells ? 0.001 : 0.01) * (1 + static_cast<double>(k % 4));
+    data.values[k] += data.standardError[k] * random.normal();
+  }
+  const GridBrdf table(data, "synthetic");
+  for (const char* metric : {"rms", "cuberoot"}) {
+    FitOptions options;
+    options.metric = metric;
+    options.samples.noise = true;
+    options.scan = false;
+    const FitReport report = fit(table, {{findModel("Lambertian"), {}, {}, {}}}, options);
+    const auto form = [&](double f) { return metric[0] == 'r' ? f : std::cbrt(f); };
+    DirectionPairBuffer<double> pairs;
+    data.layout.directions(0, cells, pairs);
+    const std::vector<double> values = [&] {
+      std::vector<double> list(3 * cells);
+      report.material->evaluate(pairs.view(), list.data(), nullptr);
+      return list;
+    }();
+    double squared = 0, weights = 0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (data.states[k % cells] != stateByte(CellState::Measured)) continue;
+      const double weight = 1 / (data.standardError[k] * data.standardError[k]);
+      const double cosine = metric[0] == 'r' ? 1 : std::cbrt(pairs.view().wi[2][k % cells]);
+      squared += weight * std::pow(cosine * (form(values[k]) - form(data.values[k])), 2);
+      weights += weight;
+    }
+    EXPECT_NEAR(report.error / std::sqrt(squared / weights), 1, 1e-6) << metric << ": " << report.error;
+  }
 }
 
 TEST(NoiseWeights, RefuseWhatHasNoErrors) {

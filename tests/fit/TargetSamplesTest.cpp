@@ -25,7 +25,7 @@ struct Mean {
 };
 Mean meanSquare(const TargetSamples& samples) {
   const std::size_t count = samples.set->count();
-  const SampleBlock block = readSamples(*samples.set, 0, count, samples.rule.maximumTheta, true);
+  const SampleBlock block = readSamples(*samples.set, 0, count, samples.rule.maximumTheta, SampleWeights::SolidAngle);
   double sum = 0, squares = 0;
   for (std::size_t i = 0; i < block.count; ++i) {
     const double term = block.weights[i] * block.values[i] * block.values[i];
@@ -56,7 +56,7 @@ TEST(TargetSamples, ImportanceDrawsEstimateTheHemisphereMeanWithoutBias) {
 TEST(TargetSamples, ImportanceIsSurerThanAsManyUniformDraws) {
   const BrdfPointer brdf = parseMaterialExpression("0.1*Lambertian + 0.5*GGX(alpha=0.05, ior=1.5)");
   const TargetSamples drawn = takeSamples(brdf, {Sampling::Importance, 50'000, 1, false}, 90);
-  const SampleBlock block = readSamples(*drawn.set, 0, drawn.set->count(), 90, true);
+  const SampleBlock block = readSamples(*drawn.set, 0, drawn.set->count(), 90, SampleWeights::SolidAngle);
   // The variance of uniform draws, estimated with the same samples: mean of f^4 less the mean of f^2 squared.
   double fourth = 0, second = 0;
   for (std::size_t i = 0; i < block.count; ++i) {
