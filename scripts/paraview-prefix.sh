@@ -20,7 +20,7 @@ if ! compgen -G "$libraries/cmake/paraview-*/paraview-config.cmake" >/dev/null |
   packages=(paraview paraview-dev python3-paraview)
   # The Qt that its window is made with, for widgets of ours in it.
   qt=(qtbase5-dev libqt5opengl5-dev libqt5svg5-dev qttools5-dev)
-  apt-cache depends paraview | grep -q libqt5widgets5 || qt=(qt6-base-dev libqt6svg6-dev qt6-tools-dev)
+  apt-cache depends paraview | grep -q libqt5widgets5 || qt=(qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-5compat-dev)
   # What ParaView and that Qt need and this machine lacks; of Python's packages only ParaView's web server needs any.
   mapfile -t missing < <(apt-get install -s --no-install-recommends paraview "${qt[@]}" 2>/dev/null |
     sed -n 's/^Inst \([^ ]*\) .*/\1/p' | grep -v python)

@@ -29,13 +29,20 @@ public:
   ///@}
 
   ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  /** The light under which spectral data are seen: a CIE name such as "A" or "F11", or the path of a spectrum. Empty
+   * (default): D65, and equal energy for luminance. */
   vtkSetMacro(Illuminant, std::string);
   vtkGetMacro(Illuminant, std::string);
+  ///@}
+
+  ///@{
+  /** Whose eye sees spectral data: "2" (default) or "10", the degrees of CIE 1931 and CIE 1964. */
   vtkSetMacro(Observer, std::string);
   vtkGetMacro(Observer, std::string);
+  ///@}
+
+  ///@{
+  /** Whether a white stays white under another light than D65: "bradford" (default) or "none". */
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
   ///@}

@@ -37,23 +37,51 @@ public:
   ///@}
 
   ///@{
-  /** The fixed angles, degrees, those that the curve needs: theta_i (default 45), phi_i (0), theta_o (45), Phi = phi_o
-   * - phi_i (180: the positive side is that of the mirror direction), theta_h (0), phi_h (0), theta_d (0), phi_d (90).
-   */
+  /** Fixed angle theta_i, the light's polar angle, where the curve needs it; degrees, default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_i, the light's azimuth, where the curve needs it; degrees, default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_o, the viewer's polar angle, where the curve needs it; degrees, default 45. */
   vtkSetMacro(ThetaO, double);
   vtkGetMacro(ThetaO, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_o - phi_i, the viewer's azimuth from the light's, 180 being the side of the mirror direction,
+   * where the curve needs it; degrees, default 180. */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_h, the half vector's polar angle, where the curve needs it; degrees, default 0. */
   vtkSetMacro(ThetaH, double);
   vtkGetMacro(ThetaH, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_h, the half vector's azimuth, where the curve needs it; degrees, default 0. */
   vtkSetMacro(PhiH, double);
   vtkGetMacro(PhiH, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_d, the light's polar angle from the half vector, where the curve needs it; degrees, default
+   * 0. */
   vtkSetMacro(ThetaD, double);
   vtkGetMacro(ThetaD, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_d, the light's azimuth about the half vector, where the curve needs it; degrees, default 90. */
   vtkSetMacro(PhiD, double);
   vtkGetMacro(PhiD, double);
   ///@}

@@ -23,9 +23,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Polar angle from the normal (+z), 0 to 89 degrees, default 45; azimuth from +x, degrees, default 0. */
+  /** Polar angle from the normal (+z), 0 to 89 degrees; default 45. */
   vtkSetClampMacro(Theta, double, 0, 89);
   vtkGetMacro(Theta, double);
+  ///@}
+
+  ///@{
+  /** Azimuth from +x, degrees; default 0. */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
   ///@}

@@ -21,9 +21,13 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** Polar angle from the normal (+z), 0 to 89 degrees, default 45; azimuth from +x, degrees, default 0. */
+  /** Polar angle from the normal (+z), 0 to 89 degrees; default 45. */
   void SetTheta(double degrees);
   double GetTheta();
+  ///@}
+
+  ///@{
+  /** Azimuth from +x, degrees; default 0. */
   void SetPhi(double degrees);
   double GetPhi();
   ///@}

@@ -30,7 +30,7 @@ public:
   ///@}
 
   ///@{
-  /** A line below the title; may be empty. */
+  /** A line below the title; empty by default. */
   vtkSetMacro(Note, std::string);
   vtkGetMacro(Note, std::string);
   ///@}

@@ -41,7 +41,8 @@ public:
   std::string GetErrorText() const { return this->ErrorText; }
 
   ///@{
-  /** Degrees by which the surroundings are turned about +y, counter-clockwise seen from above. Costs nothing. */
+  /** Degrees by which the surroundings are turned about +y, counter-clockwise seen from above; default 0. Costs
+   * nothing. */
   vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}

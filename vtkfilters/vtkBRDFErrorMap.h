@@ -66,15 +66,26 @@ public:
   ///@}
 
   ///@{
-  /** Of the hemisphere: the incident direction, polar angle [0, 90) (default 45) and azimuth (default 0), degrees; the
-   * disk, "equal-area" (default: r = sqrt(2) sin(theta / 2)) or "orthographic" (r = sin(theta)); and how far a sample's
-   * incident direction may lie from it where samples are compared (default 2.5 degrees). */
+  /** Of the hemisphere: polar angle of the incident direction, [0, 90) degrees; default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Of the hemisphere: azimuth of the incident direction, degrees; default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
+  ///@}
+
+  ///@{
+  /** Of the hemisphere: the disk, "equal-area" (default), r = sqrt(2) sin(theta / 2), or "orthographic", r =
+   * sin(theta). */
   vtkSetMacro(Projection, std::string);
   vtkGetMacro(Projection, std::string);
+  ///@}
+
+  ///@{
+  /** Of the hemisphere: how far a sample's incident direction may lie from the one asked for, degrees; default 2.5. */
   vtkSetMacro(SampleAngle, double);
   vtkGetMacro(SampleAngle, double);
   ///@}
@@ -101,9 +112,13 @@ public:
   ///@}
 
   ///@{
-  /** How many of the worst pairs port 2 has at most, default 10, and how many bins port 1, default 60. */
+  /** How many of the worst pairs port 2 has at most; default 10. */
   vtkSetClampMacro(NumberOfWorst, int, 0, 10000);
   vtkGetMacro(NumberOfWorst, int);
+  ///@}
+
+  ///@{
+  /** How many bins the histogram of port 1 has; default 60. */
   vtkSetClampMacro(NumberOfBins, int, 1, 10000);
   vtkGetMacro(NumberOfBins, int);
   ///@}

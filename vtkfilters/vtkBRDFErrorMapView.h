@@ -26,8 +26,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** A (a fit, say; index 0) and B (the reference; index 1): a pipeline, or a vtkBRDF. */
+  /** A (a fit, say; index 0) or B (the reference; index 1), of a pipeline. */
   void SetInputConnection(int index, vtkAlgorithmOutput* brdf);
+  ///@}
+
+  ///@{
+  /** The same as a vtkBRDF. */
   void SetInputData(int index, vtkDataObject* brdf);
   ///@}
 
@@ -35,9 +39,13 @@ public:
   vtkBRDFErrorMap* GetErrorMap();
 
   ///@{
-  /** Names of A and B below the picture; empty: their descriptions. */
+  /** Name of A below the picture. Empty (default): its description. */
   vtkSetMacro(NameA, std::string);
   vtkGetMacro(NameA, std::string);
+  ///@}
+
+  ///@{
+  /** Name of B below the picture. Empty (default): its description. */
   vtkSetMacro(NameB, std::string);
   vtkGetMacro(NameB, std::string);
   ///@}

@@ -82,13 +82,13 @@ public:
 
   ///@{
   /** Scale factors by linear least squares inside the search ("separable"), searched with the rest ("joint"), or the
-   * first where the metric allows it ("automatic", default). */
+   * first where the metric allows it ("automatic" (default)). */
   vtkSetMacro(Strategy, std::string);
   vtkGetMacro(Strategy, std::string);
   ///@}
 
   ///@{
-  /** Parameters to hold and to tie, separated by ';': "ior=1.5; Ward.ay=ax". Default none. */
+  /** Parameters to hold and to tie, separated by ';': "ior=1.5; Ward.ay=ax". Empty by default. */
   vtkSetMacro(Constraints, std::string);
   vtkGetMacro(Constraints, std::string);
   ///@}
@@ -107,7 +107,7 @@ public:
   ///@}
 
   ///@{
-  /** "native" (all of the target's, default), "luminance" or "rgb". */
+  /** "native" (default), all channels of the target's, "luminance" or "rgb". */
   vtkSetMacro(Channels, std::string);
   vtkGetMacro(Channels, std::string);
   ///@}
@@ -132,9 +132,13 @@ public:
   ///@}
 
   ///@{
-  /** Random starts besides the scanned one (default 0), and their seed. */
+  /** Random starts besides the scanned one; default 0. */
   vtkSetClampMacro(Starts, int, 0, 100000);
   vtkGetMacro(Starts, int);
+  ///@}
+
+  ///@{
+  /** Of the random starts; the same seed gives the same fit; default 1. */
   vtkSetClampMacro(Seed, int, 0, VTK_INT_MAX);
   vtkGetMacro(Seed, int);
   ///@}

@@ -29,9 +29,13 @@ public:
   ///@}
 
   ///@{
-  /** Names of A and B below the picture; empty: their descriptions. */
+  /** Name of A below the picture. Empty (default): its description. */
   vtkSetMacro(NameA, std::string);
   vtkGetMacro(NameA, std::string);
+  ///@}
+
+  ///@{
+  /** Name of B below the picture. Empty (default): its description. */
   vtkSetMacro(NameB, std::string);
   vtkGetMacro(NameB, std::string);
   ///@}

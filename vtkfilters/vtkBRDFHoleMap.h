@@ -24,10 +24,14 @@ public:
   vtkImageData* GetOutput();
 
   ///@{
-  /** Names of the axes, of the data's own layout; empty (default): theta_h and theta_d, theta_o and theta_i, or
-   * specular_theta and theta_i, else the first two. */
+  /** Name of the axis along x, of the data's own layout. Empty (default): theta_h, theta_o or specular_theta, else
+   * the first. */
   vtkSetMacro(XAxis, std::string);
   vtkGetMacro(XAxis, std::string);
+  ///@}
+
+  ///@{
+  /** Name of the axis along y. Empty (default): theta_d beside theta_h, theta_i beside the others, else the second. */
   vtkSetMacro(YAxis, std::string);
   vtkGetMacro(YAxis, std::string);
   ///@}

@@ -23,8 +23,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The data: a pipeline, or a vtkBRDF. */
+  /** The data, of a pipeline. */
   void SetInputConnection(vtkAlgorithmOutput* brdf);
+  ///@}
+
+  ///@{
+  /** The same as a vtkBRDF. */
   void SetInputData(vtkDataObject* brdf);
   ///@}
 
@@ -32,7 +36,7 @@ public:
   vtkBRDFHoleMap* GetHoleMap();
 
   ///@{
-  /** Of the data, in the title; empty: their description. */
+  /** Of the data, in the title. Empty (default): their description. */
   vtkSetMacro(Name, std::string);
   vtkGetMacro(Name, std::string);
   ///@}

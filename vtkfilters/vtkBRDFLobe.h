@@ -32,10 +32,13 @@ public:
   vtkPolyData* GetOutput();
 
   ///@{
-  /** The incident direction: polar angle from the normal, [0, 90) degrees, default 45, and azimuth, degrees, default 0.
-   */
+  /** Polar angle of the incident direction from the normal, [0, 90) degrees; default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Azimuth of the incident direction, degrees; default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
   ///@}

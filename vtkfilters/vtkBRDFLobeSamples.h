@@ -29,10 +29,13 @@ public:
   vtkPolyData* GetOutput();
 
   ///@{
-  /** The incident direction: polar angle from the normal, [0, 90) degrees, default 45, and azimuth, degrees, default 0.
-   */
+  /** Polar angle of the incident direction from the normal, [0, 90) degrees; default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Azimuth of the incident direction, degrees; default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
   ///@}
@@ -50,9 +53,13 @@ public:
   ///@}
 
   ///@{
-  /** As vtkBRDFLobe has them. */
+  /** Of the lengths: "none" (default), "cuberoot", "log" or "logfloor", as vtkBRDFLobe has them. */
   vtkSetMacro(Transform, std::string);
   vtkGetMacro(Transform, std::string);
+  ///@}
+
+  ///@{
+  /** Where "logfloor" begins, 1/sr, above 0; default 1e-3. */
   vtkSetMacro(Floor, double);
   vtkGetMacro(Floor, double);
   ///@}

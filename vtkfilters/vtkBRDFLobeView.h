@@ -35,37 +35,69 @@ public:
   ///@{
   /** Adds a BRDF: a pipeline, or a vtkBRDF. `name` for the legend; empty: its description. */
   void AddInputConnection(vtkAlgorithmOutput* brdf, const std::string& name = std::string());
+  /** The same without a pipeline. */
   void AddInputData(vtkDataObject* brdf, const std::string& name = std::string());
   ///@}
   void RemoveAllInputs();
   int GetNumberOfInputs() const;
 
   ///@{
-  /** Incident direction, transform and its floor, channel, resolution and tolerance of every lobe: see vtkBRDFLobe. */
+  /** Polar angle of the incident direction from the normal, [0, 90) degrees; default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Azimuth of the incident direction, degrees; default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
+  ///@}
+
+  ///@{
+  /** Of every lobe's lengths: "none" (default), "cuberoot", "log" or "logfloor", as vtkBRDFLobe has them. */
   vtkSetMacro(Transform, std::string);
   vtkGetMacro(Transform, std::string);
+  ///@}
+
+  ///@{
+  /** Where "logfloor" begins, 1/sr, above 0; default 1e-3. */
   vtkSetMacro(Floor, double);
   vtkGetMacro(Floor, double);
+  ///@}
+
+  ///@{
+  /** "luminance" (default), "rgb", a channel number from 0, or a wavelength such as "550nm". */
   vtkSetMacro(Channel, std::string);
   vtkGetMacro(Channel, std::string);
+  ///@}
+
+  ///@{
+  /** Subdivisions of every lobe's starting octahedron: 0 to 9, default 5. */
   vtkSetMacro(Resolution, int);
   vtkGetMacro(Resolution, int);
+  ///@}
+
+  ///@{
+  /** Edges are split while a lobe leaves them by more than this share of its largest length; 0: never; default 1e-3. */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  /** The light under which spectral data are seen: a CIE name such as "A" or "F11", or the path of a spectrum. Empty
+   * (default): D65, and equal energy for luminance. */
   vtkSetMacro(Illuminant, std::string);
   vtkGetMacro(Illuminant, std::string);
+  ///@}
+
+  ///@{
+  /** Whose eye sees spectral data: "2" (default) or "10", the degrees of CIE 1931 and CIE 1964. */
   vtkSetMacro(Observer, std::string);
   vtkGetMacro(Observer, std::string);
+  ///@}
+
+  ///@{
+  /** Whether a white stays white under another light than D65: "bradford" (default) or "none". */
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
   ///@}
@@ -93,12 +125,16 @@ public:
   ///@}
 
   ///@{
-  /** Show the samples of the first measured input whose incident direction lies within SampleAngle (degrees, default 2)
-   * of the light as points. With another input (the first one that is not it: a model) the points have the colour of
-   * the model's length less theirs and stand in place of the measured one's lobe. Default off. */
+  /** Show the samples of the first measured input whose incident direction is near the light's as points. With
+   * another input (the first one that is not it: a model) the points have the colour of the model's length less
+   * theirs and stand in place of the measured one's lobe. Default off. */
   vtkSetMacro(ShowSamples, bool);
   vtkGetMacro(ShowSamples, bool);
   vtkBooleanMacro(ShowSamples, bool);
+  ///@}
+
+  ///@{
+  /** How far from the light's the incident direction of samples that are shown may lie, degrees; default 2. */
   vtkSetMacro(SampleAngle, double);
   vtkGetMacro(SampleAngle, double);
   ///@}
@@ -110,9 +146,13 @@ public:
   ///@}
 
   ///@{
-  /** Where the viewer stands: azimuth from the incident direction (default -65) and elevation (default 20), degrees. */
+  /** Where the viewer stands: azimuth from the incident direction, degrees; default -65. */
   vtkSetMacro(CameraAzimuth, double);
   vtkGetMacro(CameraAzimuth, double);
+  ///@}
+
+  ///@{
+  /** Where the viewer stands: elevation, degrees; default 20. */
   vtkSetMacro(CameraElevation, double);
   vtkGetMacro(CameraElevation, double);
   ///@}

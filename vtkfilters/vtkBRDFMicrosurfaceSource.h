@@ -42,7 +42,7 @@ public:
   ///@}
 
   ///@{
-  /** Period of a mesh along x and y, micrometres; 0 (default): its extent. */
+  /** Period of a mesh along x and y, micrometres, default 0, 0; where it is 0, its extent. */
   vtkSetVector2Macro(Period, double);
   vtkGetVector2Macro(Period, double);
   ///@}

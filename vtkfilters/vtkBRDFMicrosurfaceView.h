@@ -24,8 +24,12 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The surface: a pipeline, or a vtkBRDFMicrosurface. */
+  /** The surface, of a pipeline. */
   void SetInputConnection(vtkAlgorithmOutput* surface);
+  ///@}
+
+  ///@{
+  /** The same as a vtkBRDFMicrosurface. */
   void SetInputData(vtkDataObject* surface);
   ///@}
 
@@ -36,10 +40,13 @@ public:
   ///@}
 
   ///@{
-  /** Direction of the camera: azimuth about the vertical axis, 0 looking along +y with +x to the right, and elevation,
-   * degrees; default 25 and 40. At 90 degrees of elevation the picture is a map. */
+  /** Azimuth of the camera about the vertical axis, degrees, 0 looking along +y with +x to the right; default 25. */
   vtkSetMacro(Azimuth, double);
   vtkGetMacro(Azimuth, double);
+  ///@}
+
+  ///@{
+  /** Elevation of the camera, degrees, default 40. At 90 degrees the picture is a map. */
   vtkSetClampMacro(Elevation, double, 1, 90);
   vtkGetMacro(Elevation, double);
   ///@}

@@ -32,11 +32,13 @@ public:
   ///@{
   /** Adds a table of curves: a pipeline or a vtkTable. `name` for the legend. */
   void AddInputConnection(vtkAlgorithmOutput* table, const std::string& name = std::string());
+  /** The same without a pipeline. */
   void AddInputData(vtkTable* table, const std::string& name = std::string());
   ///@}
   ///@{
   /** Gives the table added last points of the same column names: measurements. */
   void AddPointsConnection(vtkAlgorithmOutput* table);
+  /** The same without a pipeline. */
   void AddPointsData(vtkTable* table);
   ///@}
   void RemoveAllInputs();
@@ -62,11 +64,19 @@ public:
   ///@}
 
   ///@{
-  /** Quantity and unit of x and of the values, and a line below the title. */
+  /** Quantity and unit of x; empty by default. */
   vtkSetMacro(XTitle, std::string);
   vtkGetMacro(XTitle, std::string);
+  ///@}
+
+  ///@{
+  /** Quantity and unit of the values; empty by default. */
   vtkSetMacro(YTitle, std::string);
   vtkGetMacro(YTitle, std::string);
+  ///@}
+
+  ///@{
+  /** A line below the title; empty by default. */
   vtkSetMacro(Note, std::string);
   vtkGetMacro(Note, std::string);
   ///@}
@@ -78,8 +88,9 @@ public:
   ///@}
 
   ///@{
-  /** A dashed line at x, or at a value, with a text: "mirror direction", say. */
+  /** A dashed line at x with a text: "mirror direction", say. */
   void AddReference(double x, const std::string& text);
+  /** A dashed line at a value with a text. */
   void AddLevel(double value, const std::string& text);
   ///@}
 

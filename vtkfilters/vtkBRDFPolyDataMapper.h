@@ -61,19 +61,30 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The material: the output of an algorithm, or a free-standing object. */
+  /** The material: the output of an algorithm. */
   void SetBRDFConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  ///@}
+
+  ///@{
+  /** The material: a free-standing object. */
   void SetBRDFData(vtkBRDF* brdf);
   ///@}
 
   ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  /** The light under which spectral data are seen: a CIE name such as "A" or "F11", or the path of a spectrum. Empty
+   * (default): D65, and equal energy for luminance. */
   vtkSetMacro(Illuminant, std::string);
   vtkGetMacro(Illuminant, std::string);
+  ///@}
+
+  ///@{
+  /** Whose eye sees spectral data: "2" (default) or "10", the degrees of CIE 1931 and CIE 1964. */
   vtkSetMacro(Observer, std::string);
   vtkGetMacro(Observer, std::string);
+  ///@}
+
+  ///@{
+  /** Whether a white stays white under another light than D65: "bradford" (default) or "none". */
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
   ///@}
@@ -109,11 +120,15 @@ public:
   ///@{
   /** Whether as many samples are drawn as the time allocated to the actor allows (vtkProp::GetAllocatedRenderTime,
    * which renderers set from vtkRenderWindow::SetDesiredUpdateRate: interactors ask for a high rate while something
-   * moves and a low one at rest), between MinimumSamples (default 4) and NumberOfSamples; off by default. The time of a
-   * sample is that of the last drawing, for which the device is waited for. */
+   * moves and a low one at rest), between MinimumSamples and NumberOfSamples; default off. The time of a sample is
+   * that of the last drawing, for which the device is waited for. */
   vtkSetMacro(AdaptSamples, bool);
   vtkGetMacro(AdaptSamples, bool);
   vtkBooleanMacro(AdaptSamples, bool);
+  ///@}
+
+  ///@{
+  /** Fewest samples that AdaptSamples chooses; default 4. */
   vtkSetClampMacro(MinimumSamples, int, 1, 1 << 20);
   vtkGetMacro(MinimumSamples, int);
   ///@}
@@ -147,13 +162,13 @@ public:
   };
 
   ///@{
-  /** How light from the environment is summed. */
+  /** How light from the environment is summed: MODE_INTERACTIVE (default) or MODE_CONVERGING. */
   vtkSetClampMacro(Mode, int, MODE_INTERACTIVE, MODE_CONVERGING);
   vtkGetMacro(Mode, int);
   ///@}
 
   ///@{
-  /** The points of converging mode. */
+  /** The points of converging mode: SEQUENCE_LOW_DISCREPANCY (default) or SEQUENCE_RANDOM. */
   vtkSetClampMacro(Sequence, int, SEQUENCE_LOW_DISCREPANCY, SEQUENCE_RANDOM);
   vtkGetMacro(Sequence, int);
   ///@}
@@ -180,7 +195,7 @@ public:
   ///@}
 
   ///@{
-  /** Whether colours are cut to 1 and sRGB-encoded; off by default (linear). */
+  /** Whether colours are cut to 1 and sRGB-encoded; default off (linear). */
   vtkSetMacro(EncodeForDisplay, bool);
   vtkGetMacro(EncodeForDisplay, bool);
   vtkBooleanMacro(EncodeForDisplay, bool);

@@ -22,7 +22,7 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The file to read. */
+  /** The file to read. Empty by default, which is an error. */
   vtkSetMacro(FileName, std::string);
   vtkGetMacro(FileName, std::string);
   ///@}
@@ -36,7 +36,7 @@ public:
   ///@{
   /**
    * What the user says of the file, against what its format says: "KEY=VALUE" items separated by blanks, e.g.
-   * "quantity=brdf_cos angles=degrees". Empty: nothing. The keys are those of brdf/measured/ReadOptions.h.
+   * "quantity=brdf_cos angles=degrees". Empty (default): nothing. The keys are those of brdf/measured/ReadOptions.h.
    */
   vtkSetMacro(Assumptions, std::string);
   vtkGetMacro(Assumptions, std::string);

@@ -79,10 +79,10 @@ public:
   };
 
   ///@{
-  /** How light from the environment is summed. In converging mode nothing is filtered and the picture has no bias; what
-   * it has is noise, which is measured: the output gets a second array of point data, "standard error", that of every
-   * number. Edges are part of it (see EdgeSamples). ProgressEvent comes after each frame; with SetAbortExecute(1) the
-   * picture so far is kept. */
+  /** How light from the environment is summed: MODE_INTERACTIVE (default) or MODE_CONVERGING. In converging mode
+   * nothing is filtered and the picture has no bias; what it has is noise, which is measured: the output gets a second
+   * array of point data, "standard error", that of every number. Edges are part of it (see EdgeSamples). ProgressEvent
+   * comes after each frame; with SetAbortExecute(1) the picture so far is kept. */
   vtkSetClampMacro(Mode, int, MODE_INTERACTIVE, MODE_CONVERGING);
   vtkGetMacro(Mode, int);
   ///@}
@@ -103,7 +103,7 @@ public:
   ///@}
 
   ///@{
-  /** The points of converging mode. */
+  /** The points of converging mode: SEQUENCE_LOW_DISCREPANCY (default) or SEQUENCE_RANDOM. */
   vtkSetClampMacro(Sequence, int, SEQUENCE_LOW_DISCREPANCY, SEQUENCE_RANDOM);
   vtkGetMacro(Sequence, int);
   ///@}
@@ -136,7 +136,7 @@ public:
 
   ///@{
   /** Pictures a second to keep up in interactive mode with one of the EdgeSamples drawings, as while something moves,
-   * by drawing fewer than NumberOfSamples: see vtkBRDFPolyDataMapper::SetAdaptSamples. 0, the default: all samples. */
+   * by drawing fewer than NumberOfSamples: see vtkBRDFPolyDataMapper::SetAdaptSamples. 0 (default): all samples. */
   vtkSetClampMacro(DesiredUpdateRate, double, 0.0, 1e9);
   vtkGetMacro(DesiredUpdateRate, double);
   ///@}
@@ -178,13 +178,20 @@ public:
   ///@}
 
   ///@{
-  /** How spectral data become colours: the illuminant (a CIE name such as "A" or "F11", or the path of a spectrum;
-   * empty, the default: D65, and equal energy for luminance), the observer ("2", the default, or "10" degrees) and the
-   * adaptation to D65 ("bradford", the default, or "none"). See brdf::ColourNames. */
+  /** The light under which spectral data are seen: a CIE name such as "A" or "F11", or the path of a spectrum. Empty
+   * (default): D65, and equal energy for luminance. */
   vtkSetMacro(Illuminant, std::string);
   vtkGetMacro(Illuminant, std::string);
+  ///@}
+
+  ///@{
+  /** Whose eye sees spectral data: "2" (default) or "10", the degrees of CIE 1931 and CIE 1964. */
   vtkSetMacro(Observer, std::string);
   vtkGetMacro(Observer, std::string);
+  ///@}
+
+  ///@{
+  /** Whether a white stays white under another light than D65: "bradford" (default) or "none". */
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
   ///@}
@@ -196,9 +203,10 @@ public:
   ///@}
 
   ///@{
-  /** Lights besides. Directional: from the polar angle theta about +y and the azimuth phi (0 is +z, 90 is +x), degrees;
-   * r, g, b is the irradiance across the beam. Point: at x, y, z; r, g, b is the radiant intensity. At most eight. */
+  /** A light besides, from the polar angle theta about +y and the azimuth phi (0 is +z, 90 is +x), degrees; r, g, b is
+   * the irradiance across the beam. At most eight lights. */
   void AddDirectionalLight(double theta, double phi, double r, double g, double b);
+  /** A light besides, at x, y, z; r, g, b is the radiant intensity. At most eight lights. */
   void AddPointLight(double x, double y, double z, double r, double g, double b);
   void RemoveAllLights();
   ///@}
@@ -211,10 +219,10 @@ public:
   };
 
   ///@{
-  /** Shadows, by rays cast on the CPU through every pixel: exact for lights besides the environment. Of the environment
-   * each pixel sees ShadowCells x ShadowCells cells of the directions, of which each is seen or not as one direction in
-   * it is: right on average, grainy, and blurred for reflections sharper than a cell. A lone sphere casts none on
-   * itself and costs nothing. */
+  /** SHADOWS_NONE, SHADOWS_LIGHTS or SHADOWS_ALL (default): by rays cast on the CPU through every pixel: exact for
+   * lights besides the environment. Of the environment each pixel sees ShadowCells x ShadowCells cells of the
+   * directions, of which each is seen or not as one direction in it is: right on average, grainy, and blurred for
+   * reflections sharper than a cell. A lone sphere casts none on itself and costs nothing. */
   vtkSetClampMacro(Shadows, int, SHADOWS_NONE, SHADOWS_ALL);
   vtkGetMacro(Shadows, int);
   ///@}
@@ -236,6 +244,8 @@ public:
   };
 
   ///@{
+  /** What is behind the objects: BACKGROUND_ENVIRONMENT (default), where there is one, BACKGROUND_COLOR,
+   * BACKGROUND_IMAGE or BACKGROUND_TRANSPARENT. */
   vtkSetClampMacro(Background, int, BACKGROUND_ENVIRONMENT, BACKGROUND_TRANSPARENT);
   vtkGetMacro(Background, int);
   ///@}
@@ -247,7 +257,7 @@ public:
   ///@}
 
   ///@{
-  /** Linear radiance of a plain background; default black. Not scaled by Exposure. */
+  /** Linear radiance of a plain background; default 0, 0, 0. Not scaled by Exposure. */
   vtkSetVector3Macro(BackgroundColor, double);
   vtkGetVector3Macro(BackgroundColor, double);
   ///@}
@@ -260,11 +270,19 @@ public:
   ///@}
 
   ///@{
-  /** Where the camera stands, in degrees, and its vertical angle of view; defaults 0, 0 and 30. */
+  /** Where the camera stands: azimuth about +y, degrees; default 0. */
   vtkSetMacro(Azimuth, double);
   vtkGetMacro(Azimuth, double);
+  ///@}
+
+  ///@{
+  /** Where the camera stands: elevation, -89 to 89 degrees; default 0. */
   vtkSetClampMacro(Elevation, double, -89.0, 89.0);
   vtkGetMacro(Elevation, double);
+  ///@}
+
+  ///@{
+  /** The camera's vertical angle of view, 1 to 120 degrees; default 30. */
   vtkSetClampMacro(ViewAngle, double, 1.0, 120.0);
   vtkGetMacro(ViewAngle, double);
   ///@}

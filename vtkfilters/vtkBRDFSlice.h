@@ -46,23 +46,50 @@ public:
   ///@}
 
   ///@{
-  /** The fixed angles, degrees, those that the axes need: the azimuth of the light about the half vector (default 90),
-   * of the half vector (0) and of the light (0), phi_o - phi_i (180: the plane of incidence), and for wavelength slices
-   * theta_i (45), theta_o (45), theta_h (0) and theta_d (0). */
+  /** Fixed angle phi_d, the light's azimuth about the half vector, where the axes need it; degrees, default 90. */
   vtkSetMacro(PhiD, double);
   vtkGetMacro(PhiD, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_h, the half vector's azimuth, where the axes need it; degrees, default 0. */
   vtkSetMacro(PhiH, double);
   vtkGetMacro(PhiH, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_i, the light's azimuth, where the axes need it; degrees, default 0. */
   vtkSetMacro(PhiI, double);
   vtkGetMacro(PhiI, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle phi_o - phi_i, the viewer's azimuth from the light's, 180 being the side of the mirror direction,
+   * where the axes need it; degrees, default 180. */
   vtkSetMacro(Phi, double);
   vtkGetMacro(Phi, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_i, the light's polar angle, where the axes need it; degrees, default 45. */
   vtkSetMacro(ThetaI, double);
   vtkGetMacro(ThetaI, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_o, the viewer's polar angle, where the axes need it; degrees, default 45. */
   vtkSetMacro(ThetaO, double);
   vtkGetMacro(ThetaO, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_h, the half vector's polar angle, where the axes need it; degrees, default 0. */
   vtkSetMacro(ThetaH, double);
   vtkGetMacro(ThetaH, double);
+  ///@}
+
+  ///@{
+  /** Fixed angle theta_d, the light's polar angle from the half vector, where the axes need it; degrees, default 0. */
   vtkSetMacro(ThetaD, double);
   vtkGetMacro(ThetaD, double);
   ///@}

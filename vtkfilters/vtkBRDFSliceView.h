@@ -31,6 +31,7 @@ public:
   ///@{
   /** Adds a BRDF: a pipeline, or a vtkBRDF. `name` stands above its picture; empty: its description. */
   void AddInputConnection(vtkAlgorithmOutput* brdf, const std::string& name = std::string());
+  /** The same without a pipeline. */
   void AddInputData(vtkDataObject* brdf, const std::string& name = std::string());
   ///@}
   void RemoveAllInputs();
@@ -55,8 +56,8 @@ public:
   ///@}
 
   ///@{
-  /** The values of the two ends of the colour bar; equal (default): all but the largest hundredth of all values, and on
-   * a logarithmic scale the smallest one. Beyond, the colours are those of the ends. */
+  /** The values of the two ends of the colour bar; equal (default 0, 0): all but the largest hundredth of all values,
+   * and on a logarithmic scale the smallest one. Beyond, the colours are those of the ends. */
   vtkSetVector2Macro(Range, double);
   vtkGetVector2Macro(Range, double);
   ///@}

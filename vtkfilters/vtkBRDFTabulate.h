@@ -27,15 +27,15 @@ public:
   vtkImageData* GetOutput();
 
   ///@{
-  /** Cells along phi_d (default 180), theta_d (default 90) and theta_h (default 90), 2 to 1024 each: 8 bytes a value,
+  /** Cells along phi_d, theta_d and theta_h, 2 to 1024 each; default 180 x 90 x 90: 8 bytes a value,
    * so 35 MB in RGB by default. */
   vtkSetVector3Macro(Cells, int);
   vtkGetVector3Macro(Cells, int);
   ///@}
 
   ///@{
-  /** Whether phi_d spans 180 degrees only (default, as in MERL), which assumes reciprocity: f(phi_d) = f(phi_d + 180).
-   */
+  /** Whether phi_d spans 180 degrees only; default on. That assumes reciprocity, f(phi_d) = f(phi_d + 180), as MERL's
+   * tables do. */
   vtkSetMacro(Reciprocal, bool);
   vtkGetMacro(Reciprocal, bool);
   vtkBooleanMacro(Reciprocal, bool);

@@ -25,6 +25,7 @@ public:
   };
 
   ///@{
+  /** How radiance becomes what is shown: CLAMP (default), REINHARD or ACES. */
   vtkSetClampMacro(Curve, int, CLAMP, ACES);
   vtkGetMacro(Curve, int);
   ///@}

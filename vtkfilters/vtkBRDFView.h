@@ -38,7 +38,7 @@ public:
   void SetSize(int width, int height);
 
   ///@{
-  /** First line of the picture; empty: the view writes its own. */
+  /** First line of the picture. Empty (default): the view writes its own. */
   vtkSetMacro(Title, std::string);
   vtkGetMacro(Title, std::string);
   ///@}

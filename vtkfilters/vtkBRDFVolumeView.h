@@ -25,26 +25,42 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /** The BRDF: a pipeline, or a vtkBRDF. */
+  /** The BRDF, of a pipeline. */
   void SetInputConnection(vtkAlgorithmOutput* brdf);
+  ///@}
+
+  ///@{
+  /** The same as a vtkBRDF. */
   void SetInputData(vtkDataObject* brdf);
   ///@}
 
   ///@{
-  /** Of the BRDF, in the title; empty: its description. */
+  /** Of the BRDF, in the title. Empty (default): its description. */
   vtkSetMacro(Name, std::string);
   vtkGetMacro(Name, std::string);
   ///@}
 
   ///@{
-  /** One value: "luminance" (default), a channel number from 0, or a wavelength such as "550nm". And how spectral data
-   * become luminance, see vtkBRDFLobe. */
+  /** One value: "luminance" (default), a channel number from 0, or a wavelength such as "550nm". */
   vtkSetMacro(Channel, std::string);
   vtkGetMacro(Channel, std::string);
+  ///@}
+
+  ///@{
+  /** The light under which spectral data are seen: a CIE name such as "A" or "F11", or the path of a spectrum. Empty
+   * (default): D65, and equal energy for luminance. */
   vtkSetMacro(Illuminant, std::string);
   vtkGetMacro(Illuminant, std::string);
+  ///@}
+
+  ///@{
+  /** Whose eye sees spectral data: "2" (default) or "10", the degrees of CIE 1931 and CIE 1964. */
   vtkSetMacro(Observer, std::string);
   vtkGetMacro(Observer, std::string);
+  ///@}
+
+  ///@{
+  /** Whether a white stays white under another light than D65: "bradford" (default) or "none". */
   vtkSetMacro(Adaptation, std::string);
   vtkGetMacro(Adaptation, std::string);
   ///@}
@@ -69,9 +85,13 @@ public:
   ///@}
 
   ///@{
-  /** Direction of the camera: azimuth about the vertical axis and elevation, degrees; default -32 and 22. */
+  /** Azimuth of the camera about the vertical axis, degrees; default -32. */
   vtkSetMacro(Azimuth, double);
   vtkGetMacro(Azimuth, double);
+  ///@}
+
+  ///@{
+  /** Elevation of the camera, degrees; default 22. */
   vtkSetClampMacro(Elevation, double, -89, 89);
   vtkGetMacro(Elevation, double);
   ///@}

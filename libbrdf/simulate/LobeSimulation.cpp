@@ -82,7 +82,7 @@ std::shared_ptr<const GridBrdf> LobeSimulation::lobe() const {
   for (GridAxis& axis : layout.axes) {
     const bool polar = axis.quantity == AxisQuantity::ThetaI;
     if (!polar && axis.quantity != AxisQuantity::PhiI) continue;
-    axis.nodes = {polar ? bins_.thetaI() : bins_.phiI()};
+    axis.nodes.assign(1, polar ? bins_.thetaI() : bins_.phiI());
     axis.edges.clear();
     if (polar && !layout.specularOffsets.empty()) layout.specularOffsets = {bins_.specularOffset()};
   }

@@ -62,6 +62,8 @@ def property_of(instance, name, how, text=None, command=None, value=None):
         raise ValueError(f"{name}: {unknown}")
     value = default(instance, name) if value is None else value
     text = text or comment(getattr(type(instance), "Set" + name))
+    if not text:
+        raise ValueError(f"{type(instance).__name__}::Set{name}: the header says nothing of it")
     if "mention" in how:
         title, names = how["mention"]
         text += f" {title}: {', '.join(names())}."

@@ -1,5 +1,6 @@
 #include "vtkBRDFSurfaceRepresentation.h"
 
+#include "vtkActor.h"
 #include "vtkBRDF.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFPolyDataMapper.h"
@@ -10,8 +11,9 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
-#include "vtkPVView.h"
+#include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
+#include "vtkRenderer.h"
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
@@ -21,31 +23,51 @@
 
 vtkStandardNewMacro(vtkBRDFSurfaceRepresentation);
 
+struct vtkBRDFSurfaceRepresentation::Part
+{
+  vtkNew<vtkBRDFPolyDataMapper> Mapper;
+  vtkNew<vtkActor> Actor;
+};
+
 namespace
 {
-// The first surface with polygons; null where there is none.
-vtkPolyData* FirstSurface(vtkDataObject* piece)
+// Every surface with polygons.
+void AddSurfaces(vtkDataObject* piece, std::vector<vtkPolyData*>& surfaces)
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(piece))
   {
     const auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(composite->NewIterator());
     for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
     {
-      if (vtkPolyData* surface = FirstSurface(iterator->GetCurrentDataObject()))
-      {
-        return surface;
-      }
+      AddSurfaces(iterator->GetCurrentDataObject(), surfaces);
     }
-    return nullptr;
+    return;
   }
   auto* surface = vtkPolyData::SafeDownCast(piece);
-  return surface && surface->GetNumberOfPolys() > 0 ? surface : nullptr;
+  if (surface && surface->GetNumberOfPolys() > 0)
+  {
+    surfaces.push_back(surface);
+  }
+}
+
+// The material in a surface's field data; null where there is none. Throws brdf::Error where it is damaged.
+vtkSmartPointer<vtkBRDF> MaterialOf(vtkPolyData* surface)
+{
+  auto* bytes = vtkUnsignedCharArray::SafeDownCast(
+    surface->GetFieldData()->GetAbstractArray(vtkBRDFSurfaceMaterial::GetArrayName()));
+  if (!bytes)
+  {
+    return nullptr;
+  }
+  const std::string_view text(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
+  auto material = vtkSmartPointer<vtkBRDF>::New();
+  material->SetBrdf(brdf::Container::fromBytes(text, "the surface's material").load(0));
+  return material;
 }
 } // namespace
 
 vtkBRDFSurfaceRepresentation::vtkBRDFSurfaceRepresentation()
 {
-  this->BRDFMapper->SetBRDFData(this->Material);
   this->BRDFMapper->SetEnvironment(this->Environment);
   this->BRDFMapper->EncodeForDisplayOn();
 }
@@ -123,35 +145,15 @@ double vtkBRDFSurfaceRepresentation::GetResamplingTolerance()
 
 std::string vtkBRDFSurfaceRepresentation::GetErrorText()
 {
-  return this->ErrorText.empty() ? this->BRDFMapper->GetErrorText() : this->ErrorText;
+  std::string text = this->ErrorText.empty() ? this->BRDFMapper->GetErrorText() : this->ErrorText;
+  for (std::size_t i = 0; i < this->Parts.size() && text.empty(); ++i)
+  {
+    text = this->Parts[i]->Mapper->GetErrorText();
+  }
+  return text;
 }
 
-// Takes the material of a surface from its field data.
-void vtkBRDFSurfaceRepresentation::ReadMaterial(vtkPolyData* surface)
-{
-  this->ErrorText.clear();
-  this->Material->Initialize();
-  auto* bytes = vtkUnsignedCharArray::SafeDownCast(
-    surface->GetFieldData()->GetAbstractArray(vtkBRDFSurfaceMaterial::GetArrayName()));
-  if (!bytes)
-  {
-    this->ErrorText = "the surface has no material: put the filter \"BRDF Surface Material\" before it";
-    vtkWarningMacro(<< this->ErrorText);
-    return;
-  }
-  try
-  {
-    const std::string_view text(reinterpret_cast<const char*>(bytes->GetPointer(0)), bytes->GetNumberOfValues());
-    this->Material->SetBrdf(brdf::Container::fromBytes(text, "the surface's material").load(0));
-  }
-  catch (const std::exception& error)
-  {
-    this->ErrorText = error.what();
-    vtkErrorMacro(<< this->ErrorText);
-  }
-}
-
-// What has arrived to be drawn: the mapper's input, and the actor's choice of mapper.
+// What has arrived to be drawn: the mappers' inputs, and the actor's choice of mapper.
 void vtkBRDFSurfaceRepresentation::TakePiece(vtkDataObject* piece)
 {
   if (piece == this->Drawn && (!piece || piece->GetMTime() == this->DrawnTime))
@@ -160,18 +162,112 @@ void vtkBRDFSurfaceRepresentation::TakePiece(vtkDataObject* piece)
   }
   this->Drawn = piece;
   this->DrawnTime = piece ? piece->GetMTime() : 0;
-  if (vtkPolyData* surface = FirstSurface(piece))
+  this->ErrorText.clear();
+  std::vector<vtkPolyData*> surfaces;
+  AddSurfaces(piece, surfaces);
+  this->TakeSurfaces(surfaces);
+}
+
+void vtkBRDFSurfaceRepresentation::TakeSurfaces(const std::vector<vtkPolyData*>& surfaces)
+{
+  std::vector<std::unique_ptr<Part>> parts;
+  bool ours = false;
+  for (vtkPolyData* surface : surfaces)
   {
-    this->ReadMaterial(surface);
-    this->BRDFMapper->SetInputDataObject(0, surface);
+    vtkSmartPointer<vtkBRDF> material;
+    try
+    {
+      material = MaterialOf(surface);
+    }
+    catch (const std::exception& error)
+    {
+      this->ErrorText = error.what();
+      vtkErrorMacro(<< this->ErrorText);
+      continue;
+    }
+    if (!material)
+    {
+      this->ErrorText = "a surface has no material: put the filter \"BRDF Surface Material\" before it";
+      vtkWarningMacro(<< this->ErrorText);
+      continue;
+    }
+    vtkBRDFPolyDataMapper* mapper = this->BRDFMapper;
+    if (ours)
+    {
+      // Mappers are kept from one time to the next: their shaders with them.
+      const std::size_t next = parts.size();
+      parts.push_back(next < this->Parts.size() ? std::move(this->Parts[next]) : std::make_unique<Part>());
+      mapper = parts.back()->Mapper;
+      parts.back()->Actor->SetMapper(mapper);
+    }
+    ours = true;
+    mapper->SetBRDFData(material);
+    mapper->SetInputDataObject(0, surface);
   }
-  else
+  for (const std::unique_ptr<Part>& part : this->Parts)
   {
-    this->Material->Initialize();
+    if (part && this->Renderer)
+    {
+      this->Renderer->RemoveActor(part->Actor);
+    }
   }
-  const bool ours = !this->Material->IsEmpty();
+  this->Parts = std::move(parts);
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    if (this->Renderer)
+    {
+      this->Renderer->AddActor(part->Actor); // where it is not already
+    }
+  }
   this->Actor->SetMapper(ours ? static_cast<vtkMapper*>(this->BRDFMapper) : this->Mapper);
   this->Actor->SetLODMapper(ours ? static_cast<vtkMapper*>(this->BRDFMapper) : this->LODMapper);
+}
+
+// Gives the other surfaces what the first one has: place, visibility, light.
+void vtkBRDFSurfaceRepresentation::MatchParts()
+{
+  for (const std::unique_ptr<Part>& part : this->Parts)
+  {
+    part->Actor->SetUserMatrix(this->Actor->GetMatrix());
+    part->Actor->SetVisibility(this->Actor->GetVisibility());
+    part->Mapper->SetEnvironment(this->BRDFMapper->GetEnvironment());
+    part->Mapper->SetNumberOfSamples(this->BRDFMapper->GetNumberOfSamples());
+    part->Mapper->SetExposure(this->BRDFMapper->GetExposure());
+    part->Mapper->SetResamplingTolerance(this->BRDFMapper->GetResamplingTolerance());
+    part->Mapper->EncodeForDisplayOn();
+  }
+}
+
+void vtkBRDFSurfaceRepresentation::SetVisibility(bool visible)
+{
+  this->Superclass::SetVisibility(visible);
+  this->MatchParts();
+}
+
+bool vtkBRDFSurfaceRepresentation::AddToView(vtkView* view)
+{
+  if (auto* ours = vtkPVRenderView::SafeDownCast(view))
+  {
+    this->Renderer = ours->GetRenderer();
+    for (const std::unique_ptr<Part>& part : this->Parts)
+    {
+      this->Renderer->AddActor(part->Actor);
+    }
+  }
+  return this->Superclass::AddToView(view);
+}
+
+bool vtkBRDFSurfaceRepresentation::RemoveFromView(vtkView* view)
+{
+  if (this->Renderer)
+  {
+    for (const std::unique_ptr<Part>& part : this->Parts)
+    {
+      this->Renderer->RemoveActor(part->Actor);
+    }
+    this->Renderer = nullptr;
+  }
+  return this->Superclass::RemoveFromView(view);
 }
 
 int vtkBRDFSurfaceRepresentation::ProcessViewRequest(vtkInformationRequestKey* request,
@@ -182,6 +278,7 @@ int vtkBRDFSurfaceRepresentation::ProcessViewRequest(vtkInformationRequestKey* r
   if (result && request == vtkPVView::REQUEST_RENDER())
   {
     this->TakePiece(vtkPVView::GetDeliveredPiece(input, this));
+    this->MatchParts();
   }
   return result;
 }

@@ -3,18 +3,21 @@
 #include "vtkBRDFParaViewModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
 #include "vtkNew.h" // For vtkNew
+#include <memory>   // For std::unique_ptr
 #include <string>   // For std::string
+#include <vector>   // For std::vector
 
-class vtkBRDF;
 class vtkBRDFEnvironment;
 class vtkBRDFPolyDataMapper;
 class vtkPolyData;
+class vtkRenderer;
 
 /**
  * @class vtkBRDFSurfaceRepresentation
  * @brief Draws a surface with its material under environment light: "BRDF under light" among ParaView's representations
  *
  * The material is that of vtkBRDFSurfaceMaterial; a surface without one is drawn as "Surface" draws it, with a warning.
+ * Of a composite data set every block is drawn with the material that it has; one without is left out, with a warning.
  * The drawing is vtkBRDFPolyDataMapper's, encoded as sRGB. Transforms, visibility and picking are those of "Surface";
  * colours, textures, opacity and level of detail have no meaning here. Scene lights of the view
  * shine besides; ParaView's light kit, which goes with the camera, only where there is no environment.
@@ -66,22 +69,28 @@ public:
   /** Why the last drawing shows no material, in one line; empty when all went well. */
   std::string GetErrorText();
 
+  void SetVisibility(bool visible) override;
   int ProcessViewRequest(vtkInformationRequestKey* request, vtkInformation* input, vtkInformation* output) override;
 
 protected:
   vtkBRDFSurfaceRepresentation();
   ~vtkBRDFSurfaceRepresentation() override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
   vtkBRDFSurfaceRepresentation(const vtkBRDFSurfaceRepresentation&) = delete;
   void operator=(const vtkBRDFSurfaceRepresentation&) = delete;
 
+  struct Part; // a surface beside the first: its material, mapper and actor
   void TakePiece(vtkDataObject* piece);
-  void ReadMaterial(vtkPolyData* surface);
+  void TakeSurfaces(const std::vector<vtkPolyData*>& surfaces);
+  void MatchParts();
 
-  vtkNew<vtkBRDFPolyDataMapper> BRDFMapper;
+  vtkNew<vtkBRDFPolyDataMapper> BRDFMapper; // of the first surface, and of what is the same for all
   vtkNew<vtkBRDFEnvironment> Environment;
-  vtkNew<vtkBRDF> Material;
+  std::vector<std::unique_ptr<Part>> Parts;
+  vtkRenderer* Renderer = nullptr; // of the view, not owned
   std::string EnvironmentFile;
   std::string ErrorText;
   vtkDataObject* Drawn = nullptr; // the piece that the mapper has, not owned: compared only

@@ -72,7 +72,7 @@ TEST(NoiseWeights, PullsAreStandardNormalAndTheCovarianceIsThatOfManyRepeats) {
     const GridData noisy = noisyTable(exact, seed);
     const FitReport report = fitted(noisy, true);
     for (Number& number : numbers) {
-      const FittedParameter& found = parameter(report, number.lobe, number.name);
+      const FittedParameter found = parameter(report, number.lobe, number.name);
       ASSERT_TRUE(found.standardError.has_value());
       number.values.push_back(found.value);
       number.errors.push_back(*found.standardError);

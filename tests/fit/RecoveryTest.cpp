@@ -130,7 +130,7 @@ TEST(Recovery, StandardErrorsMatchTheScatterOverManyNoisyRuns) {
       const LobeRequest held{findModel("CookTorrance"), {{"ior", 1.5}}, {}, {}};
       const FitReport report = fit(target, {lobe("Lambertian"), held}, options);
       const auto squared = [&](const char* lobeName, const char* name, double truth) {
-        const FittedParameter& fitted = parameter(report, lobeName, name);
+        const FittedParameter fitted = parameter(report, lobeName, name);
         const double z = (fitted.value - truth) / fitted.standardError.value();
         return z * z;
       };

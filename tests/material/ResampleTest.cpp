@@ -49,7 +49,7 @@ TEST(RegionErrors, InvalidPairsAreCountedAsLost) {
   const auto errors = brdf::regionErrors(*GridBrdf::tabulate(*material, layout), *material);
   for (const auto& error : errors) EXPECT_EQ(error.pairs + error.lost, 4096u);
   // Cosine-weighted directions beyond 60 degrees are a quarter of all; beyond 75 there are none in the rest.
-  const auto& rest = regionOf(errors, "rest");
+  const auto rest = regionOf(errors, "rest");
   const double inRest = 0.25 - std::pow(std::cos(radians(75)), 2), all = 1 - std::pow(std::cos(radians(75)), 2);
   EXPECT_NEAR(static_cast<double>(rest.lost) / 4096, inRest / all, 0.02);
   EXPECT_LT(rest.largest, 1e-12);

@@ -2,6 +2,7 @@
 
 usage: scene.py FOLDER draw [SERVER_URL [remote]]     draws FOLDER/sphere.png, FOLDER/lobe.png, and saves the state
        scene.py FOLDER reopen STATE PICTURE           opens a state file and draws its sphere
+       scene.py FOLDER blocks                         draws two surfaces apart, as two blocks, and one of those hidden
        scene.py FOLDER drag                           drags the arrow of the light from 45 to 20 degrees
        scene.py FOLDER extended                       uses what the plugin in examples/plugin registers
        scene.py FOLDER proxies                        makes and updates every proxy
@@ -202,6 +203,41 @@ def extended():
     )
 
 
+def blocks():
+    sphere = simple.BRDFObject(Object="sphere")
+    moved = simple.Transform(Input=sphere)
+    moved.Transform.Translate = [2.2, 0.3, 0.0]
+    paint, metal = simple.BRDFMaterial(Material=TASK["material"]), simple.BRDFMaterial(Material="GGX(alpha=0.3)")
+    pair = [
+        simple.BRDFSurfaceMaterial(Input=sphere, Material=paint),
+        simple.BRDFSurfaceMaterial(Input=moved, Material=metal),
+    ]
+    group = simple.GroupDatasets(Input=pair)
+    group.UpdatePipeline()
+    kind = group.GetDataInformation(0).DataInformation.GetCompositeDataSetTypeAsString()
+    camera = {"position": [1.1, 1, 9], "focal_point": [1.1, 0.1, 0], "view_up": [0, 1, 0], "view_angle": 30}
+    for name, surfaces in (("apart", pair), ("together", [group]), ("first", pair[:1])):
+        view = plain_view(name)
+        for surface in surfaces:
+            shown = simple.Show(surface, view)
+            shown.Representation = "BRDF under light"
+            shown.EnvironmentFile = TASK["environment"]
+            shown.Position = [0.0, -0.2, 0.0]
+        simple.Render(view)
+        look_from(view, camera)
+        simple.Render(view)
+        save(view, name + ".png")
+        if name == "together":
+            simple.Hide(group, view)
+            save(view, "hidden.png")
+            simple.Show(group, view)
+            group.Input = pair[:1]
+            save(view, "fewer.png")
+            shown.Representation = "Wireframe"
+            save(view, "wireframe.png")
+    result(blocks=kind)
+
+
 def drag():
     view = plain_view("drag")
     view.ViewSize = [400, 400]
@@ -235,4 +271,4 @@ def drag():
     result(start=start, theta=arrow.Theta, phi=arrow.Phi)
 
 
-{"draw": draw, "drag": drag, "extended": extended, "reopen": reopen, "proxies": proxies}[WHAT]()
+{"draw": draw, "blocks": blocks, "drag": drag, "extended": extended, "reopen": reopen, "proxies": proxies}[WHAT]()

@@ -88,6 +88,7 @@ class Descriptions(unittest.TestCase):
             instance = getattr(brdflab, kind)()
             for prop in properties(proxy):
                 where = f"{proxy.get('name')}.{prop.get('name')}"
+                self.assertTrue((prop.findtext("Documentation") or "").strip(), where)
                 command = prop.get("command")
                 if command == "SetModel":
                     instance.SetModel(prop.get("default_values"))

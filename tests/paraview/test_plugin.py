@@ -203,6 +203,18 @@ class Plugin(unittest.TestCase):
         self.assertIn("fourth_root", result["metrics"])
         self.assertIn("compass", result["optimizers"])
 
+    def test_blocks_are_drawn_each_with_its_material(self):
+        folder = self.folder(material="(0.6,0.3,0.1)*Lambertian")
+        result = self.run_scene("pvpython", folder, "blocks")
+        self.assertIn("Collection", result["blocks"])
+        drawn = {name: picture(os.path.join(folder, name + ".png"))
+                 for name in ("apart", "together", "first", "fewer", "hidden", "wireframe")}
+        np.testing.assert_array_equal(drawn["together"], drawn["apart"])
+        np.testing.assert_array_equal(drawn["fewer"], drawn["first"])
+        self.assertEqual(drawn["hidden"].max(), 0)
+        self.assertGreater(np.any(drawn["apart"] != drawn["first"], axis=2).mean(), 0.05)
+        self.assertGreater(np.any(drawn["wireframe"] != drawn["first"], axis=2).mean(), 0.05)
+
     def test_the_arrow_follows_the_pointer(self):
         result = self.run_scene("pvpython", self.folder(), "drag")
         # To a pixel, of which one is 0.4 degrees on the circle of 149 pixels that the arrow's middle runs on.
