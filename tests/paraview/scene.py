@@ -153,10 +153,13 @@ def proxies():
         "BRDFMicrosurfaceGeometry": {"Input": grooves},
         "BRDFGonioreflectometer": {"Input": grooves, "ThetaI": "30", "Tolerance": 0.3},
     }
-    outputs = {}
-    for name in TASK["sources"]:
+    outputs, types = {}, {}
+    for name in TASK["lobes"]:
         outputs[name] = field(make(name, {}), "vtkBRDF")
-    types = {}
+    special["BRDFProgram"] = {"Command": TASK["program"]}
+    for name in TASK["sources"]:
+        made = make(name, special.get(name, {}))
+        types[name] = [made.GetDataInformation(0).GetDataClassName(), field(made, "vtkBRDF")]
     for name in TASK["filters"]:
         made = make(name, special.get(name, {"Input": material}))
         ports = made.SMProxy.GetNumberOfOutputPorts()
@@ -179,7 +182,7 @@ def proxies():
         allowed[name] = domain.IsInDomain(fit.GetProperty("Input").SMProperty)
         fit.GetProperty("Input").SMProperty.RemoveAllUncheckedProxies()
     result(
-        sources=outputs,
+        lobes=outputs,
         types=types,
         metrics=fit.GetProperty("Metric").GetAvailable(),
         optimizers=fit.GetProperty("Optimizer").GetAvailable(),

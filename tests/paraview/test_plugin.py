@@ -250,21 +250,23 @@ class Plugin(unittest.TestCase):
                 "<material version='1' channels='spectral' wavelengths='450 550 650'>"
                 "<lobe model='Lambertian'><scale>0.1 0.2 0.8</scale></lobe></material>"
             )
-        lobes = names_in("lobes.xml", "sources")
-        filters = names_in("filters.xml", "filters")
+        # One incidence a file, and specular fractions only: not for this material.
+        extensions = sorted(set(brdflab.names("extensions written")) - {".pab", ".sdr"})
         folder = self.folder(
             material="(0.3,0.1,0.05)*Lambertian + 0.04*GGX(alpha=0.2)",
             spectral=file.name,
-            sources=lobes,
-            filters=filters,
-            extensions=[".binary", ".vtkhdf", ".xml", ".csv"],
+            lobes=names_in("lobes.xml", "sources"),
+            sources=sorted(set(names_in("sources.xml", "sources")) - {"BRDFReader"}),
+            program=f"{sys.executable} {ROOT}/examples/external/v_groove.py --walls 40 --albedo 0.8 --rays 100",
+            filters=names_in("filters.xml", "filters"),
+            extensions=extensions,
         )
         with open(os.path.join(folder, "plain.csv"), "w") as file:
             file.write("a,b\n1,2\n")
         result = self.run_scene("pvpython", folder, "proxies")
-        for name, description in result["sources"].items():
+        for name, description in result["lobes"].items():
             self.assertRegex(description or "", r"^\(1,1,1\)\*[A-Z]", name)
-        self.assertEqual(len(result["sources"]), len(brdflab.names("lobes")))
+        self.assertEqual(len(result["lobes"]), len(brdflab.names("lobes")))
         for kind, first in (("metrics", []), ("optimizers", [])):
             self.assertEqual(result[kind], first + brdflab.names(kind))
         self.assertEqual(result["measures"], ["absolute", "difference"] + brdflab.names("metrics"))
@@ -274,9 +276,14 @@ class Plugin(unittest.TestCase):
         self.assertEqual(types["BRDFLobe"], ["vtkPolyData"])
         self.assertEqual(types["BRDFSlice"], ["vtkImageData"])
         self.assertEqual(types["BRDFGonioreflectometer"], ["vtkDataObject", "vtkTable"])
-        for extension in (".binary", ".vtkhdf", ".xml", ".csv"):
-            self.assertEqual(types["written" + extension][0], "BRDFReader")
-            self.assertTrue(types["written" + extension][1])
+        for extension in extensions:
+            self.assertEqual(types["written" + extension][0], "BRDFReader", extension)
+            self.assertTrue(types["written" + extension][1], extension)
+        self.assertEqual(types["BRDFMaterial"], ["vtkDataObject", brdflab.material("Lambertian").GetDescription()])
+        for name, kind in (("BRDFWave", "vtkDataObject"), ("BRDFProgram", "vtkDataObject"), ("BRDFObject", "vtkPolyData")):
+            self.assertEqual(types[name][0], kind)
+        for name in ("BRDFWave", "BRDFProgram"):
+            self.assertTrue(types[name][1], name)
         self.assertIn("GGX(alpha=0.2", types["written.vtkhdf"][1])
         self.assertEqual(types["plain.csv"], ["CSVReader"])
 
