@@ -10,6 +10,7 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <vector>
@@ -314,6 +315,12 @@ std::string vtkBRDFHeadlessRenderWindow::GetDeviceDescription()
 const char* vtkBRDFHeadlessRenderWindow::ReportCapabilities()
 {
   return this->Egl ? this->Superclass::ReportCapabilities() : this->ErrorText.c_str();
+}
+
+int vtkBRDFHeadlessRenderWindow::GetColorBufferSizes(int* rgba)
+{
+  std::fill_n(rgba, 4, 8);
+  return 4 * 8;
 }
 
 void vtkBRDFHeadlessRenderWindow::PrintSelf(ostream& os, vtkIndent indent)

@@ -47,6 +47,9 @@ public:
   int SupportsOpenGL() override { return this->IsAvailable(); }
   vtkTypeBool IsDirect() override { return this->IsAvailable(); }
   const char* ReportCapabilities() override;
+  /** Red, green, blue and alpha bits of what VTK draws into, 8 each: without a surface there is no framebuffer to ask.
+   */
+  int GetColorBufferSizes(int* rgba) override;
 
 protected:
   vtkBRDFHeadlessRenderWindow();
