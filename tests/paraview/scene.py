@@ -217,7 +217,7 @@ def blocks():
     ]
     group = simple.GroupDatasets(Input=pair)
     group.UpdatePipeline()
-    kind = group.GetDataInformation(0).DataInformation.GetCompositeDataSetTypeAsString()
+    blocks = group.GetDataInformation(0).DataInformation.GetNumberOfDataSets()
     camera = {"position": [1.1, 1, 9], "focal_point": [1.1, 0.1, 0], "view_up": [0, 1, 0], "view_angle": 30}
     for name, surfaces in (("apart", pair), ("together", [group]), ("first", pair[:1])):
         view = plain_view(name)
@@ -225,7 +225,8 @@ def blocks():
             shown = simple.Show(surface, view)
             shown.Representation = "BRDF under light"
             shown.EnvironmentFile = TASK["environment"]
-            shown.Position = [0.0, -0.2, 0.0]
+            place = "Translation" if "Translation" in shown.ListProperties() else "Position"  # until 5.12
+            setattr(shown, place, [0.0, -0.2, 0.0])
         simple.Render(view)
         look_from(view, camera)
         simple.Render(view)
@@ -238,7 +239,7 @@ def blocks():
             save(view, "fewer.png")
             shown.Representation = "Wireframe"
             save(view, "wireframe.png")
-    result(blocks=kind)
+    result(blocks=blocks)
 
 
 def drag():

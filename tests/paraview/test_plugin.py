@@ -206,7 +206,7 @@ class Plugin(unittest.TestCase):
     def test_blocks_are_drawn_each_with_its_material(self):
         folder = self.folder(material="(0.6,0.3,0.1)*Lambertian")
         result = self.run_scene("pvpython", folder, "blocks")
-        self.assertIn("Collection", result["blocks"])
+        self.assertEqual(result["blocks"], 2)
         drawn = {name: picture(os.path.join(folder, name + ".png"))
                  for name in ("apart", "together", "first", "fewer", "hidden", "wireframe")}
         np.testing.assert_array_equal(drawn["together"], drawn["apart"])
