@@ -4,6 +4,7 @@
 #include VTK_BRDF_GL_LOADER_HEADER
 
 #include "vtkBRDF.h"
+#include "vtkBRDFDeferredShading.h"
 #include "vtkBRDFEnvironment.h"
 #include "vtkBRDFMaterialShader.h"
 #include "vtkBRDFShadows.h"
@@ -45,6 +46,7 @@ vtkCxxSetObjectMacro(vtkBRDFPolyDataMapper, Environment, vtkBRDFEnvironment);
 
 vtkBRDFPolyDataMapper::vtkBRDFPolyDataMapper()
   : Material(std::make_unique<vtkBRDFMaterialShader>())
+  , Deferred(std::make_unique<vtkBRDFDeferredShading>())
 {
   this->SetNumberOfInputPorts(2);
   this->ScalarVisibilityOff();
@@ -155,7 +157,7 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
       glFinish();
       start = vtkTimerLog::GetUniversalTime();
     }
-    this->Superclass::RenderPiece(renderer, actor);
+    this->Draw(renderer, actor);
     if (this->AdaptSamples)
     {
       glFinish();
@@ -179,6 +181,44 @@ void vtkBRDFPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
   }
 }
 
+// In two steps where that is possible. A surface that is not opaque, and one looked at by a selector, are drawn as
+// ever.
+void vtkBRDFPolyDataMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
+{
+  auto* window = static_cast<vtkOpenGLRenderWindow*>(renderer->GetRenderWindow());
+  const bool defers = this->DeferShading && !actor->HasTranslucentPolygonalGeometry() && !renderer->GetSelector() &&
+                      vtkBRDFDeferredShading::Possible();
+  const bool tangents = !defers || this->Material->Text().NeedsTangents();
+  if (defers != this->Defers || tangents != this->Tangents)
+  {
+    this->Defers = defers;
+    this->Tangents = tangents;
+    this->StepsTime.Modified();
+  }
+  if (!defers)
+  {
+    this->Superclass::RenderPiece(renderer, actor);
+    return;
+  }
+  if (!this->Deferred->IsBuilt(window) ||
+      this->LightingTime < std::max(this->GetMTime(), this->Material->StructureTime().GetMTime()))
+  {
+    this->NumberOfShaderBuilds += this->Deferred->Build(window, this->LightingText());
+    this->LightingTime.Modified();
+  }
+  this->Deferred->Draw(
+    renderer,
+    tangents,
+    [&] { this->Superclass::RenderPiece(renderer, actor); },
+    [&](vtkShaderProgram* program) { this->SetLightingUniforms(program, renderer); });
+}
+
+std::string vtkBRDFPolyDataMapper::LightingText()
+{
+  return (this->Shadows ? this->Shadows->Text(this->Environment != nullptr) : "") +
+         this->Material->Text().Text(LightOf(*this));
+}
+
 void vtkBRDFPolyDataMapper::SetShadows(vtkBRDFShadows* shadows)
 {
   if (shadows != this->Shadows)
@@ -191,14 +231,15 @@ void vtkBRDFPolyDataMapper::SetShadows(vtkBRDFShadows* shadows)
 bool vtkBRDFPolyDataMapper::GetNeedToRebuildShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   const bool needed = this->Superclass::GetNeedToRebuildShaders(cellBO, renderer, actor);
-  return needed || cellBO.ShaderSourceTime < this->Material->StructureTime();
+  return needed || cellBO.ShaderSourceTime < this->StepsTime ||
+         (!this->Defers && cellBO.ShaderSourceTime < this->Material->StructureTime());
 }
 
 void vtkBRDFPolyDataMapper::UpdateShaders(vtkOpenGLHelper& cellBO, vtkRenderer* renderer, vtkActor* actor)
 {
   const vtkShaderProgram* before = cellBO.Program;
   this->Superclass::UpdateShaders(cellBO, renderer, actor);
-  this->NumberOfShaderBuilds += cellBO.Program != before;
+  this->NumberOfShaderBuilds += !this->Defers && cellBO.Program != before;
 }
 
 void vtkBRDFPolyDataMapper::ReplaceShaderValues(std::map<vtkShader::Type, vtkShader*> shaders,
@@ -220,8 +261,9 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   std::string fragment = shaders[vtkShader::Fragment]->GetSource();
   std::string vertex = shaders[vtkShader::Vertex]->GetSource();
   // A geometry shader (wide lines, edges) would have to pass the tangent on.
-  const bool tangents =
-    this->VBOs->GetNumberOfComponents("tangentMC") == 3 && shaders[vtkShader::Geometry]->GetSource().empty();
+  const bool tangents = this->Tangents && this->VBOs->GetNumberOfComponents("tangentMC") == 3 &&
+                        shaders[vtkShader::Geometry]->GetSource().empty();
+  const std::string tangent = tangents ? "brdfTangentVC" : "vec3(0.0)";
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::System::Dec",
                                "//VTK::System::Dec\n"
@@ -230,15 +272,15 @@ void vtkBRDFPolyDataMapper::ReplaceShaderLight(std::map<vtkShader::Type, vtkShad
   vtkShaderProgram::Substitute(fragment,
                                "//VTK::Light::Dec",
                                std::string(tangents ? "in vec3 brdfTangentVC;\n" : "") +
-                                 (this->Shadows ? this->Shadows->Text(this->Environment != nullptr) : "") +
-                                 this->Material->Text().Text(LightOf(*this)),
+                                 (this->Defers ? std::string() : this->LightingText()),
                                false);
   vtkShaderProgram::Substitute(
     fragment,
     "//VTK::Light::Impl",
-    std::string("  vec3 brdfViewer = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);\n"
-                "  gl_FragData[0] = vec4(brdfReflected(vertexVC.xyz, brdfViewer, normalVCVSOutput, ") +
-      (tangents ? "brdfTangentVC" : "vec3(0.0)") + "), opacity);\n",
+    this->Defers ? vtkBRDFDeferredShading::Outputs(this->Tangents ? tangent : "")
+                 : "  vec3 brdfViewer = cameraParallel != 0 ? vec3(0.0, 0.0, 1.0) : normalize(-vertexVC.xyz);\n"
+                   "  gl_FragData[0] = vec4(brdfReflected(vertexVC.xyz, brdfViewer, normalVCVSOutput, " +
+                     tangent + "), opacity);\n",
     false);
   if (tangents)
   {
@@ -259,10 +301,25 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
 {
   this->Superclass::SetMapperShaderParameters(cellBO, renderer, actor);
   vtkShaderProgram* program = cellBO.Program;
+  if (!this->Defers)
+  {
+    this->SetLightingUniforms(program, renderer);
+  }
+  if (program->IsUniformUsed("brdfModelToView"))
+  {
+    vtkNew<vtkMatrix4x4> modelToView;
+    vtkMatrix4x4::Multiply4x4(
+      renderer->GetActiveCamera()->GetModelViewTransformMatrix(), actor->GetMatrix(), modelToView);
+    modelToView->Transpose();
+    program->SetUniformMatrix("brdfModelToView", modelToView);
+  }
+}
+
+void vtkBRDFPolyDataMapper::SetLightingUniforms(vtkShaderProgram* program, vtkRenderer* renderer)
+{
   this->Material->SetUniforms(program);
   program->SetUniformf("brdfGain", static_cast<float>(std::exp2(this->Exposure)));
   program->SetUniformi("brdfEncoded", this->EncodeForDisplay);
-
   vtkMatrix4x4* worldToView = renderer->GetActiveCamera()->GetModelViewTransformMatrix();
   if (this->Environment)
   {
@@ -273,13 +330,6 @@ void vtkBRDFPolyDataMapper::SetMapperShaderParameters(vtkOpenGLHelper& cellBO, v
     this->Shadows->SetUniforms(program);
   }
   this->SetLights(program, renderer, worldToView);
-  if (program->IsUniformUsed("brdfModelToView"))
-  {
-    vtkNew<vtkMatrix4x4> modelToView;
-    vtkMatrix4x4::Multiply4x4(worldToView, actor->GetMatrix(), modelToView);
-    modelToView->Transpose();
-    program->SetUniformMatrix("brdfModelToView", modelToView);
-  }
 }
 
 void vtkBRDFPolyDataMapper::SetEnvironmentUniforms(vtkShaderProgram* program, vtkMatrix4x4* worldToView)
@@ -363,6 +413,7 @@ void vtkBRDFPolyDataMapper::SetLights(vtkShaderProgram* program, vtkRenderer* re
 void vtkBRDFPolyDataMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Material->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
+  this->Deferred->Release();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -383,6 +434,7 @@ void vtkBRDFPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "Observer: " << this->Observer << "\n"
      << indent << "Adaptation: " << this->Adaptation << "\n"
      << indent << "EncodeForDisplay: " << this->EncodeForDisplay << "\n"
+     << indent << "DeferShading: " << this->DeferShading << "\n"
      << indent << "NumberOfShaderBuilds: " << this->NumberOfShaderBuilds << "\n"
      << indent << "ErrorText: " << this->ErrorText << "\n";
 }

@@ -103,10 +103,15 @@ void vtkBRDFRadiancePass::Draw(const vtkRenderState* state)
   vtkOpenGLState::ScopedglViewport savedViewport(gl);
   vtkOpenGLState::ScopedglScissor savedScissor(gl);
   this->Buffer->SetContext(window);
-  if (!this->Buffer->PopulateFramebuffer(width, height, true, 1, VTK_FLOAT, true, 32, 0))
+  if (width != this->BufferSize[0] || height != this->BufferSize[1]) // VTK would make it anew every time
   {
-    throw brdf::Error(brdf::Error::Kind::Device,
-                      { "OpenGL device without a framebuffer of 32-bit floats", {}, {}, {} });
+    this->BufferSize[0] = 0;
+    if (!this->Buffer->PopulateFramebuffer(width, height, true, 1, VTK_FLOAT, true, 32, 0))
+    {
+      throw brdf::Error(brdf::Error::Kind::Device,
+                        { "OpenGL device without a framebuffer of 32-bit floats", {}, {}, {} });
+    }
+    std::copy_n(this->Size, 2, this->BufferSize);
   }
   if (this->AfterFrame)
   {
@@ -345,6 +350,7 @@ void vtkBRDFRadiancePass::DrawBackground(vtkRenderer* renderer, vtkOpenGLRenderW
 void vtkBRDFRadiancePass::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Buffer->ReleaseGraphicsResources(window);
+  this->BufferSize[0] = 0;
   this->Opaque->ReleaseGraphicsResources(window);
   this->BackgroundQuad.reset();
   this->UnfilteredQuad.reset();

@@ -32,7 +32,7 @@ public:
   vtkBRDFEnvironment* Background = nullptr; // null: the renderer's background colour, linear
   double BackgroundLevel = 0;               // level of the map of the background
   double BackgroundGain = 1;
-  bool UnfilteredBackground = false;    // the map itself behind the scene, not the filtered one
+  bool UnfilteredBackground = false; // the map itself behind the scene, not the filtered one
   // Called before each drawing of the scene with 0, 1, ..., and the pixels that will be drawn: those that are not 0, or
   // all where it is null. May throw brdf::Error.
   std::function<void(int frame, const std::vector<float>* wanted)> BeforeFrame;
@@ -66,6 +66,7 @@ private:
   void DrawEdges(const vtkRenderState* state, const std::vector<float>& mask);
 
   vtkNew<vtkOpenGLFramebufferObject> Buffer;
+  int BufferSize[2] = { 0, 0 };
   vtkSmartPointer<vtkRenderPass> Opaque;
   std::unique_ptr<vtkOpenGLQuadHelper> BackgroundQuad, UnfilteredQuad, MaskQuad;
 };

@@ -144,6 +144,12 @@ std::vector<brdf::BrdfPointer> vtkBRDFShaderText::DrawnTerms() const
   return drawn;
 }
 
+bool vtkBRDFShaderText::NeedsTangents() const
+{
+  return std::any_of(
+    this->Terms.begin(), this->Terms.end(), [](const Term& term) { return !term.Turns && !term.Constant(); });
+}
+
 std::vector<int> vtkBRDFShaderText::Samples(int samples) const
 {
   // Constant terms need none: what they would get goes to the others.

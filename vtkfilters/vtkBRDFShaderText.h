@@ -77,6 +77,9 @@ public:
   // Uniform brdfTableBase: brdf::DrawnTable::base in three channels; 0 for lobes.
   const std::array<float, 3>& TableBase() const { return this->TableBaseValues; }
 
+  // Whether some term changes when it is turned about the normal.
+  bool NeedsTangents() const;
+
   int NumberOfTerms() const { return static_cast<int>(this->Terms.size()); }
 
   // Terms whose filtered light is summed by draws made in advance (brdf::ViewerDraws): what is to be drawn, null for
