@@ -32,7 +32,7 @@ struct vtkBRDFDeferredShading::Buffer
 
 namespace
 {
-constexpr int kMostPixels = 1 << 24; // of 24 to 40 bytes
+constexpr int kMostPixels = 1 << 24; // of 20 to 36 bytes
 
 // Left, bottom, width and height.
 std::array<int, 4> Viewport()
