@@ -49,6 +49,7 @@ vtkBRDFDeferredShading::~vtkBRDFDeferredShading() = default;
 std::shared_ptr<vtkBRDFDeferredShading::Buffer> vtkBRDFDeferredShading::BufferOf(vtkOpenGLRenderWindow* window)
 {
   static std::map<vtkOpenGLRenderWindow*, std::weak_ptr<Buffer>> buffers;
+  std::erase_if(buffers, [](const auto& entry) { return entry.second.expired(); });
   std::weak_ptr<Buffer>& known = buffers[window];
   std::shared_ptr<Buffer> buffer = known.lock();
   if (!buffer || buffer->Window != window) // another may have had this address
