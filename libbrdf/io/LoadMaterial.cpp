@@ -133,6 +133,7 @@ LoadedMaterial loadMaterial(std::string_view spec, const ReadOptions& options) {
     LoadedMaterial loaded{kind->make(text.substr(kind->name.size() + 1)), kind->name, {}};
     loaded.report.format = kind->name;
     loaded.report.source = text;
+    if (kind->components) loaded.components = kind->components(*loaded.brdf);
     return loaded;
   }
   const std::size_t hash = text.rfind('#');

@@ -14,7 +14,7 @@ struct LoadedMaterial {
   BrdfPointer brdf;
   std::string kind;         ///< "expression", "preset", "material" (XML), "measured", "container", or a registered one
   ReadReport report;        ///< of a file: what its reader noticed; else format and source only
-  Components components{};  ///< of measured files and containers: what the material has besides `brdf`
+  Components components{};  ///< what the material has besides `brdf`: of files, containers, and kinds that say so
 };
 
 /// The material that `spec` means, written the same way everywhere:
@@ -52,6 +52,8 @@ struct MaterialKind {
   /// arguments choose (`brdf plugins scatmech:Model`). May be null; throw brdf::Error.
   std::function<std::vector<MaterialModel>()> models{};
   std::function<MaterialModel(std::string_view arguments)> describe{};
+  /// What a material that `make` made has besides, a specular part for example. May be null.
+  std::function<Components(const Brdf& brdf)> components{};
 };
 /// Adds a kind; replaces one of the same name. Throws Error::Kind::Value for a name that is none.
 BRDF_EXPORT void registerMaterialKind(MaterialKind kind);

@@ -89,7 +89,8 @@ std::size_t HemispherePartition::cellOf(const Direction& wi) const {
 }
 
 std::vector<double> HemispherePartition::integrate(const Density& density, double tolerance) const {
-  constexpr std::size_t side = 8, midpoints = side * side, deepest = 20, chunk = 64;
+  constexpr std::size_t side = 8, midpoints = side * side, deepest = 20, chunk = 64,
+                        mostDivisions = std::size_t{1} << 18;
   constexpr double above = 1.25;  // how far a known density may exceed those at the midpoints
   struct Known {
     Point at;
@@ -120,7 +121,9 @@ std::vector<double> HemispherePartition::integrate(const Density& density, doubl
   std::vector<Known> known;
   for (std::size_t k = 0; k < points_.size(); ++k) known.push_back({points_[k], values[k]});
 
-  const double allowed = tolerance / static_cast<double>(cells_.size());
+  const double share = tolerance / static_cast<double>(cells_.size());
+  double found = 0;
+  std::size_t divisions = 0;
   std::vector<double> integrals(cells_.size());
   while (!pieces.empty()) {
     const std::size_t count = std::min(chunk, pieces.size());
@@ -140,20 +143,24 @@ std::vector<double> HemispherePartition::integrate(const Density& density, doubl
       const auto [lowest, highest] = std::minmax_element(begin, end);
       double knownHighest = 0;
       for (std::size_t k = piece.first; k < piece.last; ++k) knownHighest = std::max(knownHighest, known[k].value);
-      const double area = (cell.w1 - cell.w0) * (cell.phi1 - cell.phi0), share = area / midpoints;
+      const double area = (cell.w1 - cell.w0) * (cell.phi1 - cell.phi0), part = area / midpoints;
+      const double allowed = share * std::max(1.0, found);
       const bool hidden = knownHighest > above * *highest && knownHighest * area > allowed;
-      if ((!hidden && share * (*highest - *lowest) <= allowed) || piece.depth == deepest) {
-        integrals[piece.owner] += share * std::accumulate(begin, end, 0.0);
+      if ((!hidden && part * (*highest - *lowest) <= allowed) || piece.depth == deepest || divisions == mostDivisions) {
+        const double integral = part * std::accumulate(begin, end, 0.0);
+        integrals[piece.owner] += integral;
+        found += integral;
         continue;
       }
+      ++divisions;
       const double w = (cell.w0 + cell.w1) / 2, phi = (cell.phi0 + cell.phi1) / 2;
-      const auto part = [&](std::size_t first, std::size_t last, const auto& inside) {
+      const auto divided = [&](std::size_t first, std::size_t last, const auto& inside) {
         const auto at = [&](std::size_t k) { return known.begin() + static_cast<std::ptrdiff_t>(k); };
         return static_cast<std::size_t>(std::partition(at(first), at(last), inside) - known.begin());
       };
       const auto innerPhi = [&](const Known& k) { return k.at[1] < phi; };
-      const std::size_t middle = part(piece.first, piece.last, [&](const Known& k) { return k.at[0] < w; });
-      const std::size_t lower = part(piece.first, middle, innerPhi), upper = part(middle, piece.last, innerPhi);
+      const std::size_t middle = divided(piece.first, piece.last, [&](const Known& k) { return k.at[0] < w; });
+      const std::size_t lower = divided(piece.first, middle, innerPhi), upper = divided(middle, piece.last, innerPhi);
       const auto push = [&](const Cell& quarter, std::size_t first, std::size_t last) {
         pieces.push_back({quarter, piece.owner, piece.depth + 1, first, last});
       };

@@ -28,8 +28,9 @@ class HemispherePartition {
 
   /// The integral of a density (1/sr) over the lights of each cell: midpoints of 8 x 8, quartered
   /// where the range of their densities, times the area that one stands for, is more than `tolerance` of a cell's even
-  /// share, and where one of the directions that laid out the cells has a density well above theirs (a peak between the
-  /// midpoints).
+  /// share of 1, or of what has been found where that is more, and where one of the directions that laid out the cells
+  /// has a density well above theirs (a peak between the midpoints). At most 2^18 times: the integral of a density that
+  /// has none comes out large, and ends.
   using Density = std::function<void(const DirectionPairs<double>& pairs, double* values)>;
   std::vector<double> integrate(const Density& density, double tolerance) const;
 

@@ -1,13 +1,13 @@
 #include <brdf/base/Text.h>
 #include <brdf/geometry/Directions.h>
 #include <brdf/models/CallArguments.h>
+#include <brdf/simulate/BesselIntegral.h>
 #include <brdf/simulate/Fourier.h>
 #include <brdf/simulate/HeightStatistics.h>
 #include <brdf/simulate/MeasuredSpectrum.h>
 #include <brdf/simulate/SurfaceKinds.h>
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <complex>
 #include <mutex>
@@ -54,6 +54,7 @@ class CellSpectrum : public Spectrum {
     const double value = (1 - t) * ((1 - s) * at(i, j) + s * at(i1, j)) + t * ((1 - s) * at(i, j1) + s * at(i1, j1));
     return value * sinc(x / spectrum_.periodX) * sinc(y / spectrum_.periodY);
   }
+  const HeightSpectrum* cells() const override { return &spectrum_; }
   bool isotropic() const override { return false; }
   std::string description() const override { return textOf("none", spectrum_); }
 
@@ -93,23 +94,26 @@ class RingSpectrum : public Spectrum {
   void evaluate(const double* fx, const double* fy, double* psd, std::size_t count) const override {
     for (std::size_t k = 0; k < count; ++k) psd[k] = at(std::hypot(fx[k], fy[k]));
   }
-  double variance() const override { return autocovariance(0, 0); }
-  double autocovariance(double x, double y) const override {
-    const double r = std::hypot(x, y);
+  double variance() const override {
     double sum = 0;
     for (std::size_t k = 0; k + 1 < rings_.frequency.size(); ++k) {
       const double low = rings_.frequency[k], high = rings_.frequency[k + 1];
-      // Half a turn of the Bessel function at most in a piece.
-      const auto pieces = static_cast<std::size_t>(std::ceil(2 * r * (high - low))) + 1;
-      const double width = (high - low) / static_cast<double>(pieces);
-      for (std::size_t piece = 0; piece < pieces; ++piece) {
-        const double start = low + static_cast<double>(piece) * width;
-        sum += boost::math::quadrature::gauss<double, 10>::integrate(
-            [&](double f) { return 2 * kPi * f * at(f) * std::cyl_bessel_j(0.0, 2 * kPi * f * r); }, start,
-            start + width);
-      }
+      sum += kPi / 3 * (high - low) * (rings_.psd[k] * (2 * low + high) + rings_.psd[k + 1] * (low + 2 * high));
     }
     return sum;
+  }
+  /// By parts: the slopes of the PSD and its end, each with an integral of t J1(t), exact.
+  double autocovariance(double x, double y) const override {
+    const double k = 2 * kPi * std::hypot(x, y), end = rings_.frequency.back();
+    if (k * end < 1e-6) return variance();
+    double sum = rings_.psd.back() * end * std::cyl_bessel_j(1.0, k * end) / k, below = 0;
+    for (std::size_t j = 0; j + 1 < rings_.frequency.size(); ++j) {
+      const double width = rings_.frequency[j + 1] - rings_.frequency[j];
+      const double above = besselMoment(k * rings_.frequency[j + 1]);
+      sum -= (rings_.psd[j + 1] - rings_.psd[j]) / width * (above - below) / (k * k * k);
+      below = above;
+    }
+    return 2 * kPi * sum;
   }
   bool isotropic() const override { return true; }
   std::string description() const override { return description_; }

@@ -45,8 +45,8 @@ struct RadialSpectrum {
 };
 BRDF_EXPORT RadialSpectrum radialAverage(const HeightSpectrum& spectrum);
 
-/// As a Spectrum. `radial`: the radial average, linear in log PSD and log frequency between rings, the lowest ring's
-/// value below it and 0 above the highest; for what was measured on an isotropic surface. Else the cells about the
+/// As a Spectrum. `radial`: the radial average, linear between rings, the lowest ring's value below it and 0 above
+/// the highest; for what was measured on an isotropic surface. Else the cells about the
 /// frequencies of the tile, constant in each; its integral is the variance exactly.
 BRDF_EXPORT SpectrumPointer measuredSpectrum(const HeightField& field, SpectrumWindow window, bool radial);
 

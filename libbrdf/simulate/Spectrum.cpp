@@ -1,6 +1,7 @@
 #include <brdf/base/Error.h>
 #include <brdf/base/Text.h>
 #include <brdf/models/CallArguments.h>
+#include <brdf/simulate/BesselIntegral.h>
 #include <brdf/simulate/MeasuredSpectrum.h>
 #include <brdf/simulate/Spectrum.h>
 
@@ -92,9 +93,21 @@ class FractalSpectrum : public Spectrum {
     if (!(exponent_ > 2 && corner_ > 0)) return kInfinity;
     return kPi * a_ * std::pow(corner_, 2 - exponent_) * (1 + 2 / (exponent_ - 2));
   }
-  double autocovariance(double, double) const override {
-    demand(a_ == 0, "no autocovariance of a fractal spectrum", "spectrum fractal", a_, "abc or gaussian");
-    return 0;
+  /// Of the disk below the corner and of the power law beyond.
+  double autocovariance(double x, double y) const override {
+    const double total = variance();
+    demand(std::isfinite(total), "no autocovariance: infinite variance", "spectrum fractal", exponent_,
+           "exponent > 2 and corner > 0");
+    const double r = std::hypot(x, y), u = 2 * kPi * corner_ * r, m = exponent_ - 1;
+    // 1 - rho is of the order of u^2 or u^(exponent - 2).
+    if (total == 0 || std::pow(u, std::min(2.0, exponent_ - 2)) < 1e-18) return total;
+    const double disk = u < 1e-8 ? 1 : 2 * std::cyl_bessel_j(1.0, u) / u;
+    const double power = 2 / u * besselIntegralBeyond(m, u);
+    return kPi * a_ * std::pow(corner_, 2 - exponent_) * (disk + power);
+  }
+  std::optional<PowerLaw> powerLaw() const override {
+    if (corner_ > 0) return {};
+    return PowerLaw{a_, exponent_};
   }
   bool isotropic() const override { return true; }
   std::string description() const override {

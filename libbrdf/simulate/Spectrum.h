@@ -13,6 +13,8 @@
 
 namespace brdf {
 
+struct HeightSpectrum;
+
 /// The power spectral density (PSD) of the heights of a rough surface, immutable.
 ///
 /// Conventions: frequencies fx, fy along the surface in cycles per micrometre (1/um), both signs; PSD(fx, fy) in um^4,
@@ -41,6 +43,14 @@ class BRDF_EXPORT Spectrum {
   };
   virtual std::optional<Gaussian> gaussian() const { return {}; }
 
+  /// A PSD of a / f^exponent at all frequencies (fractalSpectrum with corner 0), or nothing.
+  struct PowerLaw {
+    double a, exponent;
+  };
+  virtual std::optional<PowerLaw> powerLaw() const { return {}; }
+  /// The periodogram that the PSD is made of, constant in the cells of its frequencies (measuredSpectrum), or nothing.
+  virtual const HeightSpectrum* cells() const { return nullptr; }
+
   /// Whether the PSD depends on the length of (fx, fy) only.
   virtual bool isotropic() const = 0;
   /// The expression that makes it.
@@ -60,8 +70,9 @@ BRDF_EXPORT SpectrumPointer abcSpectrum(double a, double b, double c);
 BRDF_EXPORT SpectrumPointer gaussianSpectrum(double rms, double correlationX, double correlationY);
 
 /// Fractal: PSD = a / max(f, corner)^exponent. E. L. Church, "Fractal surface finish", Appl. Opt. 27, 1518-1526 (1988),
-/// doi:10.1364/AO.27.001518. With corner 0 the pure power law: infinite at f = 0, with infinite variance. Its
-/// autocovariance is not offered (abc has one). `a` in um^(4 - exponent), >= 0; `exponent` > 0; `corner` in 1/um, >= 0.
+/// doi:10.1364/AO.27.001518. With corner 0 the pure power law: infinite at f = 0, with infinite variance. The
+/// variance is infinite for exponents up to 2 as well. `a` in um^(4 - exponent), >= 0; `exponent` > 0; `corner` in
+/// 1/um, >= 0.
 BRDF_EXPORT SpectrumPointer fractalSpectrum(double a, double exponent, double corner);
 
 /// The sum of spectra: uncorrelated kinds of roughness on one surface.

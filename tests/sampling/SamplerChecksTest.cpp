@@ -100,6 +100,22 @@ TEST(SamplerChecks, IntegrateAPeakOfAnyWidthAndPlace) {
   }
 }
 
+TEST(PdfIntegral, OfWhatHasNoneComesOutLargeAndEnds) {
+  // 1 / theta^3 about the mirror direction and about the viewer, infinite in all.
+  DirectionSampler sampler = cosineSampler();
+  std::size_t evaluations = 0;
+  sampler.pdf = [&](const DirectionPairs<double>& pairs, double* density) {
+    evaluations += pairs.count;
+    for (std::size_t i = 0; i < pairs.count; ++i) {
+      const double x = std::hypot(pairs.wi[0][i] + kViewer[0], pairs.wi[1][i] + kViewer[1]);
+      const double y = std::hypot(pairs.wi[0][i] - kViewer[0], pairs.wi[1][i] - kViewer[1]);
+      density[i] = std::pow(std::min(x, y) + 1e-300, -3);
+    }
+  };
+  EXPECT_GT(pdfIntegral(sampler, kViewer), 1e3);
+  EXPECT_LT(evaluations, std::size_t{70'000'000});  // 4 parts of 64 midpoints for each of 2^18 divisions
+}
+
 TEST(RelativeVariance, OfCosineSamplingAPowerOfTheCosineIsTheClosedForm) {
   // f = cos^n about the normal: A = 2 pi/(n + 2), the second moment 2 pi^2/(2 n + 2), so that the variance over A^2 is
   // (n + 2)^2/(4 n + 4) - 1.

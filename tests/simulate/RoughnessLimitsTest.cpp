@@ -1,7 +1,11 @@
 #include <brdf/base/Error.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/io/SaveMaterial.h>
+#include <brdf/material/Resample.h>
 #include <brdf/simulate/wave/Roughness.h>
 #include <gtest/gtest.h>
 
+#include "../TestFolder.h"
 #include "WaveSupport.h"
 
 namespace brdf {
@@ -59,49 +63,6 @@ TEST(RoughnessLimits, ModifiedBeckmannIsOriginalOverItsFactor) {
   EXPECT_NEAR(valueOf("BeckmannKirchhoff" + arguments + ")", pair) /
                   valueOf("BeckmannKirchhoff" + arguments + ", form=modified)", pair),
               square(1 + ci * cs + tangential) / (ci * cs * square(ci + cs)), 1e-12);
-}
-
-TEST(PhaseTransform, GaussianSeriesIsTheIntegral) {
-  // 2 pi times the integral of r [exp(-g (1 - rho)) - exp(-g)] J0(2 pi f r), by the trapezoidal rule in exp(r).
-  const SpectrumPointer spectrum = gaussianSpectrum(0.3, 1.7, 1.7);
-  const auto transform = wave::PhaseTransform::of(spectrum);
-  for (const double g : {1e-8, 0.1, 3.0, 60.0, 2000.0})
-    for (const double f : {0.0, 0.1, 0.5, 1.0}) {
-      const double step = 1e-3;
-      double integral = 2 * kPi * (1 - std::exp(-g)) * step * step / 12;  // Euler and Maclaurin's term at r = 0
-      for (double r = step; r < 12; r += step)
-        integral += 2 * kPi * r * (std::exp(g * std::expm1(-square(r / 1.7))) - std::exp(-g)) *
-                    std::cyl_bessel_j(0, 2 * kPi * f * r) * step;
-      const double zero = 0;
-      double phi = 0, peak = 0;
-      transform->evaluate(&g, &f, &zero, &phi, 1);
-      transform->evaluate(&g, &zero, &zero, &peak, 1);
-      EXPECT_NEAR(phi, integral, 2e-6 * peak) << g << " " << f;
-    }
-}
-
-TEST(PhaseTransform, SeriesMeetsItsIntegralWhereTheMethodChanges) {
-  const auto transform = wave::PhaseTransform::of(gaussianSpectrum(1, 1, 1));
-  const auto at = [&](double g, double f) {
-    const double zero = 0;
-    double phi = 0;
-    transform->evaluate(&g, &f, &zero, &phi, 1);
-    return phi;
-  };
-  // Smooth across the change at 400 terms, and geometrical optics far beyond: pi/g exp(-pi^2 f^2/g), relative error
-  // 1/g.
-  for (const double f : {0.0, 1.0, 6.0}) EXPECT_NEAR(at(399.0, f) * at(405.0, f) / square(at(402.0, f)), 1, 2e-4) << f;
-  for (const double g : {1e6, 1e10, 1e16})
-    for (const double share : {0.0, 0.5, 3.0}) {
-      const double f = std::sqrt(share * g) / kPi;
-      EXPECT_NEAR(at(g, f) / (kPi / g * std::exp(-share)), 1, 20 / g + 1e-9) << g << " " << share;
-    }
-  EXPECT_EQ(at(0, 1), 0);
-}
-
-TEST(PhaseTransform, RefusesSpectraItCannotTransform) {
-  EXPECT_THROW(makeWaveBrdf("HarveyShack(spectrum=fractal(corner=0))"), Error);
-  EXPECT_THROW(makeWaveBrdf("BeckmannKirchhoff(spectrum=abc(c=2))"), Error);
 }
 
 TEST(RoughnessLimits, RoughSurfacesScatterWhatTheyDoNotReflect) {
@@ -183,6 +144,27 @@ TEST(WaveModels, ErrorsAreOneLineWithColumnAndNearest) {
         "Facet(incident=q)", "Facet(films=layer())", "Grating(period=1e6, width=0.2)",
         "RayleighRice(index=table(file=/nowhere.txt))", "RayleighRice(3)", ""})
     EXPECT_THROW(makeWaveBrdf(wrong), Error) << wrong;
+}
+
+TEST(WaveModels, TheirSpecularPartReachesMaterialsAndTheirFiles) {
+  const std::string text =
+      "wave:HarveyShack(wavelength=(0.5, 0.7), eta=0.2, k=3, spectrum=gaussian(rms=0.02, correlation=2))";
+  LoadedMaterial material = loadMaterial(text);
+  // Fresnel's reflectance of the normal of 0.2 + 3 i, times exp(-(4 pi rms / wavelength)^2).
+  const double mirror = (square(0.2 - 1) + 9) / (square(0.2 + 1) + 9);
+  ASSERT_EQ(material.components.specular.size(), 1u);
+  for (const auto& [channel, wavelength] : {std::pair<std::size_t, double>{0, 0.5}, {1, 0.7}})
+    EXPECT_NEAR(material.components.specular[0].at(channel, 0), mirror * std::exp(-square(4 * kPi * 0.02 / wavelength)),
+                1e-12);
+  const std::filesystem::path folder = testFolder("out");
+  material.brdf = resample(*material.brdf, parseGridLayout("spherical:15", *material.brdf)).brdf;
+  saveMaterial(material, folder / "wave.vtkhdf", "", "test");
+  const Components kept = loadMaterial((folder / "wave.vtkhdf").string()).components;
+  ASSERT_EQ(kept.specular.size(), 1u);
+  EXPECT_EQ(kept.specular[0].values, material.components.specular[0].values);
+  EXPECT_EQ(kept.specular[0].thetaI, material.components.specular[0].thetaI);
+  EXPECT_TRUE(loadMaterial("wave:Facet()").components.empty());
+  EXPECT_TRUE(loadMaterial("wave:RayleighRice(incident=s)").components.empty());
 }
 
 TEST(WaveModels, WavelengthsMakeChannels) {

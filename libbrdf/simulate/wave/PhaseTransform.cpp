@@ -1,5 +1,5 @@
 #include <brdf/base/Error.h>
-#include <brdf/simulate/wave/Roughness.h>
+#include <brdf/simulate/wave/PhaseTransform.h>
 
 #include <algorithm>
 #include <cmath>
@@ -73,11 +73,13 @@ double beckmannSeries(double g, double a) {
 class GaussianTransform : public PhaseTransform {
  public:
   explicit GaussianTransform(const Spectrum::Gaussian& shape) : shape_(shape) {}
-  void evaluate(const double* g, const double* fx, const double* fy, double* phi, std::size_t count) const override {
+  void evaluate(const double* kappa, const double* fx, const double* fy, double* phi,
+                std::size_t count) const override {
     const double x = kPi * shape_.correlationX, y = kPi * shape_.correlationY;
     for (std::size_t k = 0; k < count; ++k) {
       const double a = x * x * fx[k] * fx[k] + y * y * fy[k] * fy[k];
-      phi[k] = kPi * shape_.correlationX * shape_.correlationY * beckmannSeries(g[k], a);
+      phi[k] = kPi * shape_.correlationX * shape_.correlationY *
+               beckmannSeries(kappa[k] * kappa[k] * shape_.rms * shape_.rms, a);
     }
   }
 
@@ -89,10 +91,14 @@ class GaussianTransform : public PhaseTransform {
 
 PhaseTransform::~PhaseTransform() = default;
 
-std::shared_ptr<const PhaseTransform> PhaseTransform::of(const SpectrumPointer& spectrum) {
+PhaseTransformPointer PhaseTransform::of(const SpectrumPointer& spectrum, double wavelength) {
   if (const auto gaussian = spectrum->gaussian()) return std::make_shared<GaussianTransform>(*gaussian);
-  throw Error(Error::Kind::Value, {"theories of any height are offered for Gaussian spectra", "wave model",
-                                   spectrum->description(), "gaussian(...), or RayleighRice"});
+  if (spectrum->powerLaw()) return stableTransform(spectrum);
+  if (spectrum->cells()) return cellTransform(spectrum, wavelength);
+  if (spectrum->isotropic()) return isotropicTransform(spectrum, wavelength);
+  throw Error(Error::Kind::Value,
+              {"theories of any height do not take this anisotropic spectrum", "wave model", spectrum->description(),
+               "isotropic ones, gaussian(...), measured(...), or RayleighRice"});
 }
 
 }  // namespace brdf::wave

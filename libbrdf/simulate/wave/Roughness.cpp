@@ -29,7 +29,8 @@ class RoughModel : public ScatterModel {
   Symmetry symmetry() const override { return spectrum_->isotropic() ? Symmetry::Isotropic : Symmetry::Anisotropic; }
   /// Reflectance of the mean plane times exp(-g): Beckmann and Spizzichino (1963), section 5.3.
   double specular(double theta) const override {
-    const double g = square(4 * kPi * std::cos(theta) / wavelength_) * variance_;
+    if (!std::isfinite(variance_)) return 0;
+    const double g = square(4 * kPi * std::cos(theta) / wavelength_ * relevantShare(std::cos(theta))) * variance_;
     return planeReflectance(theta) * std::exp(-g);
   }
 
@@ -37,6 +38,8 @@ class RoughModel : public ScatterModel {
   virtual void scale(const Geometry* geometry, std::size_t count, double* scales) const = 0;
   virtual Jones amplitudes(const Geometry& geometry) const = 0;
   virtual double planeReflectance(double theta) const = 0;
+  /// Part of the rms height that counts at this cosine of incidence.
+  virtual double relevantShare(double) const { return 1; }
 
   SpectrumPointer spectrum_;
   double wavelength_;  ///< um
@@ -80,50 +83,57 @@ class RayleighRice : public PerturbationModel {
   }
 };
 
-/// Phi(g, q / wavelength) / wavelength^2.
-class PhaseScale {
- public:
-  PhaseScale(const SpectrumPointer& spectrum, double wavelength)
-      : wavelength_(wavelength), variance_(spectrum->variance()) {
-    transform_ = PhaseTransform::of(spectrum);
+/// Phi(kappa, q / wavelength) / wavelength^2; `share(cosI)` of the rms height counts.
+template <class Share>
+void phaseScale(const PhaseTransform& transform, double wavelength, const Geometry* geometry, std::size_t count,
+                Share&& share, double* scales) {
+  double kappa[kBlock]{}, fx[kBlock]{}, fy[kBlock]{};
+  for (std::size_t k = 0; k < count; ++k) {
+    kappa[k] = 2 * kPi / wavelength * (geometry[k].cosI + geometry[k].cosS) * share(geometry[k].cosI);
+    fx[k] = geometry[k].qx / wavelength;
+    fy[k] = geometry[k].qy / wavelength;
   }
-  void evaluate(const Geometry* geometry, std::size_t count, double* scales) const {
-    double g[kBlock]{}, fx[kBlock]{}, fy[kBlock]{};
-    for (std::size_t k = 0; k < count; ++k) {
-      g[k] = square(2 * kPi / wavelength_ * (geometry[k].cosI + geometry[k].cosS)) * variance_;
-      fx[k] = geometry[k].qx / wavelength_;
-      fy[k] = geometry[k].qy / wavelength_;
-    }
-    transform_->evaluate(g, fx, fy, scales, count);
-    for (std::size_t k = 0; k < count; ++k) scales[k] /= square(wavelength_);
-  }
-
- private:
-  double wavelength_, variance_;
-  std::shared_ptr<const PhaseTransform> transform_;
-};
+  transform.evaluate(kappa, fx, fy, scales, count);
+  for (std::size_t k = 0; k < count; ++k) scales[k] /= square(wavelength);
+}
 
 class HarveyShack : public PerturbationModel {
  public:
-  HarveyShack(SpectrumPointer spectrum, Complex index, double wavelength)
-      : PerturbationModel(spectrum, index, wavelength), phase_(spectrum, wavelength) {}
+  HarveyShack(SpectrumPointer spectrum, PhaseTransformPointer transform, Complex index, double wavelength,
+              HarveyShackOptions options)
+      : PerturbationModel(spectrum, index, wavelength),
+        transform_(std::move(transform)),
+        options_(options),
+        normal_(spectrum, transform_, wavelength, options) {}
+  bool reciprocal() const override { return !options_.relevant && !options_.renormalized; }
   std::string energyNote() const override {
-    return "not renormalised: very rough surfaces and grazing light may give an albedo above 1";
+    return options_.renormalized ? "the amplitudes of polarisation grow towards grazing angles: the albedo may exceed 1"
+                                 : "not renormalised: very rough surfaces and grazing light may give an albedo above 1";
   }
 
  protected:
   void scale(const Geometry* geometry, std::size_t count, double* scales) const override {
-    phase_.evaluate(geometry, count, scales);
+    const auto share = [this](double cosI) { return relevantShare(cosI); };
+    phaseScale(*transform_, wavelength_, geometry, count, share, scales);
+    if (!options_.renormalized) return;
+    for (std::size_t k = 0; k < count; ++k) scales[k] *= normal_.factor(geometry[k].cosI);
   }
+  double relevantShare(double cosI) const override { return options_.relevant ? normal_.relevantShare(cosI) : 1; }
 
  private:
-  PhaseScale phase_;
+  PhaseTransformPointer transform_;
+  HarveyShackOptions options_;
+  Renormalization normal_;
 };
 
 class BeckmannKirchhoff : public RoughModel {
  public:
-  BeckmannKirchhoff(SpectrumPointer spectrum, FilmStack stack, double wavelength, bool modified)
-      : RoughModel(spectrum, wavelength), stack_(std::move(stack)), phase_(spectrum, wavelength), modified_(modified) {}
+  BeckmannKirchhoff(SpectrumPointer spectrum, PhaseTransformPointer transform, FilmStack stack, double wavelength,
+                    bool modified)
+      : RoughModel(std::move(spectrum), wavelength),
+        stack_(std::move(stack)),
+        transform_(std::move(transform)),
+        modified_(modified) {}
   std::string energyNote() const override {
     return modified_ ? "not renormalised: very rough surfaces and grazing light may give an albedo above 1"
                      : "the factor F grows without bound at grazing angles";
@@ -131,7 +141,8 @@ class BeckmannKirchhoff : public RoughModel {
 
  protected:
   void scale(const Geometry* geometry, std::size_t count, double* scales) const override {
-    phase_.evaluate(geometry, count, scales);
+    phaseScale(
+        *transform_, wavelength_, geometry, count, [](double) { return 1.0; }, scales);
     if (modified_) return;
     for (std::size_t k = 0; k < count; ++k) {
       const Geometry& g = geometry[k];
@@ -148,7 +159,7 @@ class BeckmannKirchhoff : public RoughModel {
 
  private:
   FilmStack stack_;
-  PhaseScale phase_;
+  PhaseTransformPointer transform_;
   bool modified_;
 };
 
@@ -166,12 +177,15 @@ ScatterModelPointer rayleighRice(SpectrumPointer spectrum, Complex index, double
   return std::make_shared<RayleighRice>(std::move(spectrum), index, wavelength);
 }
 
-ScatterModelPointer harveyShack(SpectrumPointer spectrum, Complex index, double wavelength) {
-  return std::make_shared<HarveyShack>(std::move(spectrum), index, wavelength);
+ScatterModelPointer harveyShack(SpectrumPointer spectrum, PhaseTransformPointer transform, Complex index,
+                                double wavelength, HarveyShackOptions options) {
+  return std::make_shared<HarveyShack>(std::move(spectrum), std::move(transform), index, wavelength, options);
 }
 
-ScatterModelPointer beckmannKirchhoff(SpectrumPointer spectrum, FilmStack stack, double wavelength, bool modified) {
-  return std::make_shared<BeckmannKirchhoff>(std::move(spectrum), std::move(stack), wavelength, modified);
+ScatterModelPointer beckmannKirchhoff(SpectrumPointer spectrum, PhaseTransformPointer transform, FilmStack stack,
+                                      double wavelength, bool modified) {
+  return std::make_shared<BeckmannKirchhoff>(std::move(spectrum), std::move(transform), std::move(stack), wavelength,
+                                             modified);
 }
 
 }  // namespace brdf::wave

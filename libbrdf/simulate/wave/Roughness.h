@@ -1,6 +1,7 @@
 #pragma once
 #include <brdf/simulate/Spectrum.h>
 #include <brdf/simulate/wave/FilmStack.h>
+#include <brdf/simulate/wave/Renormalization.h>
 #include <brdf/simulate/wave/ScatterModel.h>
 
 #include <memory>
@@ -20,31 +21,21 @@ BRDF_EXPORT Jones perturbationAmplitudes(const Geometry& geometry, Complex index
 /// small against the wavelength, (4 pi rms cos_i / wavelength)^2 << 1. Where the PSD is infinite, so is the value.
 BRDF_EXPORT ScatterModelPointer rayleighRice(SpectrumPointer spectrum, Complex index, double wavelength);
 
-/// The transform of the characteristic function of a Gaussian random surface,
-///   Phi(g, f) = integral of [exp(-g (1 - rho(r))) - exp(-g)] exp(-2 pi i f r) d^2r   (um^2),
-/// rho the autocovariance over the variance; tends to g PSD(f) / variance for small g.
-class BRDF_EXPORT PhaseTransform {
- public:
-  virtual ~PhaseTransform();
-  virtual void evaluate(const double* g, const double* fx, const double* fy, double* phi, std::size_t count) const = 0;
-  /// Of Gaussian spectra by Beckmann's series, summed about its
-  /// largest term, at any g; Throws Error::Kind::Value for any other spectrum.
-  static std::shared_ptr<const PhaseTransform> of(const SpectrumPointer& spectrum);
-};
+/// Generalised Harvey-Shack: BRDF = |perturbationAmplitudes|^2 Phi(kappa, q / wavelength) / wavelength^2,
+/// kappa = 2 pi (cos_i + cos_s) / wavelength. A. Krywonos, J. E. Harvey and N. Choi, J. Opt. Soc. Am. A 28, 1121-1138
+/// (2011), doi:10.1364/JOSAA.28.001121: the surface transfer function exp(-g (1 - rho)) of two parameters. By default
+/// the whole spectrum counts as roughness and nothing is renormalised, so that the model is reciprocal; with either
+/// option it is not. `transform` is of the spectrum, for this wavelength or shorter.
+BRDF_EXPORT ScatterModelPointer harveyShack(SpectrumPointer spectrum, PhaseTransformPointer transform, Complex index,
+                                            double wavelength, HarveyShackOptions options = {});
 
-/// Generalised Harvey-Shack: BRDF = |perturbationAmplitudes|^2 Phi(g, q / wavelength) / wavelength^2,
-/// g = (2 pi rms (cos_i + cos_s) / wavelength)^2. A. Krywonos, J. E. Harvey and N. Choi, J. Opt. Soc. Am. A 28,
-/// 1121-1138 (2011), doi:10.1364/JOSAA.28.001121: the surface transfer function exp(-g (1 - rho)) of two parameters.
-/// The whole spectrum counts as roughness; nothing is renormalised.
-BRDF_EXPORT ScatterModelPointer harveyShack(SpectrumPointer spectrum, Complex index, double wavelength);
-
-/// Beckmann-Kirchhoff: BRDF = R F Phi(g, q / wavelength) / wavelength^2 with Fresnel's R at the half angle and
+/// Beckmann-Kirchhoff: BRDF = R F Phi(kappa, q / wavelength) / wavelength^2 with Fresnel's R at the half angle and
 /// F = (1 + cos_i cos_s - sin_i sin_s cos phi)^2 / (cos_i cos_s (cos_i + cos_s)^2) as in P. Beckmann and A.
 /// Spizzichino, The Scattering of Electromagnetic Waves from Rough Surfaces (1963), section 5.3; or F = 1, for large
 /// angles: J. E. Harvey, A. Krywonos and C. L. Vernold, Opt. Eng. 46, 078002 (2007), doi:10.1117/1.2752180 (without
 /// their renormalisation K).
-BRDF_EXPORT ScatterModelPointer beckmannKirchhoff(SpectrumPointer spectrum, FilmStack stack, double wavelength,
-                                                  bool modified);
+BRDF_EXPORT ScatterModelPointer beckmannKirchhoff(SpectrumPointer spectrum, PhaseTransformPointer transform,
+                                                  FilmStack stack, double wavelength, bool modified);
 
 /// Amplitudes of a facet that reflects wi into wo: Fresnel's at the half angle, turned into the bases of the rays.
 BRDF_EXPORT Jones facetAmplitudes(const Geometry& geometry, const FilmStack& stack);

@@ -99,6 +99,7 @@ void WaveBrdf::mueller(const DirectionPairs<double>& pairs, std::size_t channel,
 }
 
 Components WaveBrdf::components() const {
+  if (!plain_) return {};
   SpecularComponent specular{ComponentKind::FrontReflection, channels_, {}, {}};
   for (int degree = 0; degree <= 90; ++degree) specular.thetaI.push_back(degree * std::numbers::pi / 180);
   bool any = false;

@@ -35,7 +35,8 @@ class BRDF_EXPORT WaveBrdf : public Brdf, public DeclaresEnergy {
   const wave::PolarizationState& incident() const { return incident_; }
   const wave::PolarizationState& detected() const { return detected_; }
   std::string energyNote() const override { return models_.front()->energyNote(); }
-  /// What leaves undiffracted in the mirror direction, at every degree; empty where there is none or it is not known.
+  /// What leaves undiffracted in the mirror direction, at every degree; empty where there is none or it is not known,
+  /// and for other light than unpolarised or an analyser. Tables and files keep it beside the values (loadMaterial).
   Components components() const;
 
  private:

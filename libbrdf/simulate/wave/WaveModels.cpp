@@ -60,16 +60,21 @@ struct Entry {
   std::function<Models(WaveReader&)> make;
 };
 
-Models roughness(WaveReader& reader,
-                 ScatterModelPointer (*make)(SpectrumPointer spectrum, Complex index, double wavelength)) {
+/// One a wavelength, of its substrate's index.
+template <class Make>
+Models roughness(WaveReader& reader, Make&& make) {
   const std::vector<Complex> substrate = reader.indices(kEta.defaultValue, 0);
-  const SpectrumPointer spectrum = reader.spectrum();
   Models models;
   for (std::size_t c = 0; c < substrate.size(); ++c) {
     if (substrate[c] == 1.0) reader.arguments().fail("eta", "the substrate is air", "1", "another index");
-    models.push_back(make(spectrum, substrate[c], reader.wavelengths()[c]));
+    models.push_back(make(substrate[c], reader.wavelengths()[c]));
   }
   return models;
+}
+
+/// One transform serves all wavelengths.
+PhaseTransformPointer transformOf(const SpectrumPointer& spectrum, const WaveReader& reader) {
+  return PhaseTransform::of(spectrum, *std::ranges::min_element(reader.wavelengths()));
 }
 
 /// The argument `incidence`.
@@ -120,7 +125,11 @@ Entry rayleighRiceEntry() {
         {"D. E. Barrick", 1970, "Rough surfaces", "Radar Cross Section Handbook (Plenum), chapter 9", "", ""},
         {"J. M. Elson and J. M. Bennett", 1979, "Vector scattering theory", "Opt. Eng. 18, 116-124",
          "10.1117/12.7972335", ""}}},
-      [](WaveReader& reader) { return roughness(reader, rayleighRice); }};
+      [](WaveReader& reader) {
+        const SpectrumPointer spectrum = reader.spectrum();
+        return roughness(reader,
+                         [&](Complex index, double wavelength) { return rayleighRice(spectrum, index, wavelength); });
+      }};
 }
 
 Entry harveyShackEntry() {
@@ -129,15 +138,35 @@ Entry harveyShackEntry() {
        "HarveyShack",
        "Rough interface, generalised Harvey-Shack",
        "Any height, moderate slopes, large angles; amplitudes of polarisation as Rayleigh and Rice's, with which it "
-       "agrees for small heights where theta_s is near theta_i. The whole spectrum counts as roughness; not "
-       "renormalised. Gaussian spectra.",
+       "agrees for small heights where theta_s is near theta_i. Spectra of finite variance, and power laws of "
+       "exponents between 2 and 4. roughness=relevant and energy=renormalized are not reciprocal.",
        {kEta, kK},
-       {kIndexArgument, kSpectrumArgument},
+       {kIndexArgument,
+        kSpectrumArgument,
+        {"roughness", "text", "What counts: all heights, or frequencies that scatter.", "total", {"total", "relevant"}},
+        {"energy",
+         "text",
+         "As it comes, or what evanescent waves take is given to the others.",
+         "plain",
+         {"plain", "renormalized"}}},
        {{"A. Krywonos, J. E. Harvey and N. Choi", 2011,
          "Linear systems formulation of scattering theory for rough surfaces with arbitrary incident and scattering "
          "angles",
-         "J. Opt. Soc. Am. A 28, 1121-1138", "10.1364/JOSAA.28.001121", ""}}},
-      [](WaveReader& reader) { return roughness(reader, harveyShack); }};
+         "J. Opt. Soc. Am. A 28, 1121-1138", "10.1364/JOSAA.28.001121", ""},
+        {"V. E. Johansen", 2015,
+         "Preparing the generalized Harvey-Shack rough surface scattering method for use with the discrete ordinates "
+         "method",
+         "J. Opt. Soc. Am. A 32, 186-194", "10.1364/JOSAA.32.000186", "(7), (15) to (20) of the preprint"}}},
+      [](WaveReader& reader) {
+        const SpectrumPointer spectrum = reader.spectrum();
+        const PhaseTransformPointer transform = transformOf(spectrum, reader);
+        HarveyShackOptions options;
+        options.relevant = reader.arguments().choice("roughness", {"total", "relevant"}) == "relevant";
+        options.renormalized = reader.arguments().choice("energy", {"plain", "renormalized"}) == "renormalized";
+        return roughness(reader, [&](Complex index, double wavelength) {
+          return harveyShack(spectrum, transform, index, wavelength, options);
+        });
+      }};
 }
 
 Entry beckmannEntry() {
@@ -160,10 +189,11 @@ Entry beckmannEntry() {
       [](WaveReader& reader) {
         const std::vector<FilmStack> stacks = reader.stacks(reader.indices(kEta.defaultValue, 0));
         const SpectrumPointer spectrum = reader.spectrum();
+        const PhaseTransformPointer transform = transformOf(spectrum, reader);
         const bool modified = reader.arguments().choice("form", {"original", "modified"}) == "modified";
         Models models;
         for (std::size_t c = 0; c < stacks.size(); ++c)
-          models.push_back(beckmannKirchhoff(spectrum, stacks[c], reader.wavelengths()[c], modified));
+          models.push_back(beckmannKirchhoff(spectrum, transform, stacks[c], reader.wavelengths()[c], modified));
         return models;
       }};
 }
@@ -466,8 +496,10 @@ wave::FilmStack::Powers filmPowers(std::string_view expression, std::size_t chan
 }
 
 MaterialKind waveKind() {
-  return {"wave", "wave:MODEL(parameter=value, ...): wave optics, see brdf waves",
-          [](std::string_view arguments) -> BrdfPointer { return makeWaveBrdf(arguments); }};
+  MaterialKind kind{"wave", "wave:MODEL(parameter=value, ...): wave optics, see brdf waves",
+                    [](std::string_view arguments) -> BrdfPointer { return makeWaveBrdf(arguments); }};
+  kind.components = [](const Brdf& brdf) { return dynamic_cast<const WaveBrdf&>(brdf).components(); };
+  return kind;
 }
 
 }  // namespace brdf
