@@ -93,7 +93,8 @@ void ExpectSame(const std::string& name, const Microsurface& surface, const Grid
 }
 
 TEST(GpuTransport, RandomNumbersArePhilox) {
-  // Known answers of Philox4x32-10 in the Random123 library of its authors (counter, key, result).
+  // Known answers of Philox4x32-10 (counter, key, result): tests/kat_vectors of the Random123 library of its authors,
+  // github.com/DEShawResearch/random123, commit 9545ff6.
   struct Known {
     std::string counter, key;
     std::array<std::uint32_t, 4> words;

@@ -42,9 +42,23 @@ double largestTerm(double g, double a) {
   return low + (high - low) / 2;
 }
 
+/// Term after term, where none that matters underflows.
+double shortSeries(double g, double a) {
+  double weight = std::exp(-g), sum = 0;
+  for (int m = 1; m < 4000; ++m) {
+    weight *= g / m;
+    const double term = weight * std::exp(-a / m) / m;
+    sum += term;
+    // Beyond the largest term, where the next is smaller by g/m exp(a/m^2) at least.
+    if (term < 1e-14 * sum && m > 2 * g && a < 0.5 * m * m) break;
+  }
+  return sum;
+}
+
 /// exp(-g) sum over m >= 1 of g^m / (m! m) exp(-a/m): Beckmann's series, from its largest term to both sides.
 double beckmannSeries(double g, double a) {
   if (!(g > 0)) return 0;
+  if (g < 50 && a < 400) return shortSeries(g, a);
   const double peak = largestTerm(g, a);
   if (peak > 400) {
     // The terms are a smooth bell many terms wide: the sum is its integral, by the trapezoidal rule.
