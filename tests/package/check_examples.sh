@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs the build into a folder, moves that folder, builds the examples against it alone, runs them, and compares the
-# pictures of the three ways in (run_examples.sh).
+# pictures of the three ways in (run_examples.sh), and with those that docs/install.md shows.
 #   check_examples.sh CMAKE BUILD_FOLDER SOURCE_FOLDER SCRATCH_FOLDER PYTHON_OR_EMPTY PYTHON_FOLDER
 set -euo pipefail
 cmake=$1 build=$2 source=$3 scratch=$4 python=$5 python_folder=$6
@@ -24,4 +24,7 @@ if "$cmake" -S "$scratch/wrong" -B "$scratch/wrong/build" -DCMAKE_PREFIX_PATH="$
 fi
 grep -q "no component nonsense" "$scratch/wrong.log"
 
-exec "$(dirname "$0")/run_examples.sh" "$cmake" "$prefix" "$scratch" "$python" "$python_folder"
+"$(dirname "$0")/run_examples.sh" "$cmake" "$prefix" "$scratch" "$python" "$python_folder"
+if [ -n "$python" ]; then
+  PYTHONPATH=$prefix/$python_folder "$python" "$(dirname "$0")/compare_pictures.py" "$source/docs/images/examples" "$scratch/run"
+fi
