@@ -8,17 +8,26 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
+#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVLODActor.h"
 #include "vtkPVRenderView.h"
 #include "vtkPolyData.h"
 #include "vtkRenderer.h"
+#include "vtkSMPTools.h"
+#include "vtkSkybox.h"
 #include "vtkSmartPointer.h"
+#include "vtkTexture.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <brdf/base/Text.h>
 #include <brdf/io/Container.h>
+#include <brdf/io/ToneMap.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 
 vtkStandardNewMacro(vtkBRDFSurfaceRepresentation);
@@ -70,6 +79,9 @@ vtkBRDFSurfaceRepresentation::vtkBRDFSurfaceRepresentation()
 {
   this->BRDFMapper->SetEnvironment(this->Environment);
   this->BRDFMapper->EncodeForDisplayOn();
+  this->Sky->SetProjectionToSphere();
+  this->Sky->VisibilityOff();
+  this->Sky->PickableOff();
 }
 
 vtkBRDFSurfaceRepresentation::~vtkBRDFSurfaceRepresentation() = default;
@@ -111,6 +123,12 @@ void vtkBRDFSurfaceRepresentation::SetUseEnvironment(bool use)
 bool vtkBRDFSurfaceRepresentation::GetUseEnvironment()
 {
   return this->BRDFMapper->GetEnvironment() != nullptr;
+}
+
+void vtkBRDFSurfaceRepresentation::SetShowEnvironment(bool show)
+{
+  this->ShowEnvironment = show;
+  this->UpdateSky();
 }
 
 void vtkBRDFSurfaceRepresentation::SetNumberOfSamples(int samples)
@@ -238,10 +256,63 @@ void vtkBRDFSurfaceRepresentation::MatchParts()
   }
 }
 
+// The sky as vtkSkybox takes it: a picture of all directions, encoded as the objects are.
+void vtkBRDFSurfaceRepresentation::DrawSky()
+{
+  const int height = std::clamp(this->Environment->GetMapHeight(), 16, 2048), width = 2 * height;
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(width, height, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* pixels = static_cast<unsigned char*>(picture->GetScalarPointer());
+  const double gain = std::exp2(this->GetExposure());
+  const auto rows = [&](vtkIdType first, vtkIdType last)
+  {
+    for (vtkIdType row = first; row < last; ++row)
+    {
+      const double elevation = vtkMath::Pi() * ((static_cast<double>(row) + 0.5) / height - 0.5);
+      for (int column = 0; column < width; ++column)
+      {
+        // The middle column is -z, columns run to +x.
+        const double azimuth = 2 * vtkMath::Pi() * ((column + 0.5) / width - 0.5);
+        const double direction[3] = { std::cos(elevation) * std::sin(azimuth),
+                                      std::sin(elevation),
+                                      -std::cos(elevation) * std::cos(azimuth) };
+        double rgb[3];
+        this->Environment->GetRadiance(direction, rgb);
+        for (int channel = 0; channel < 3; ++channel)
+        {
+          const double encoded = brdf::srgbEncoded(std::clamp(rgb[channel] * gain, 0.0, 1.0));
+          pixels[3 * (row * width + column) + channel] = static_cast<unsigned char>(std::lround(255 * encoded));
+        }
+      }
+    }
+  };
+  vtkSMPTools::For(0, height, rows);
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(picture);
+  texture->InterpolateOn();
+  texture->SetColorModeToDirectScalars();
+  this->Sky->SetTexture(texture);
+}
+
+void vtkBRDFSurfaceRepresentation::UpdateSky()
+{
+  const bool shown = this->ShowEnvironment && this->GetUseEnvironment() && this->GetVisibility();
+  this->Sky->SetVisibility(shown);
+  const std::string key = this->EnvironmentFile + "|" + brdf::formatNumber(this->GetEnvironmentRotation()) + "|" +
+                          brdf::formatNumber(this->GetExposure());
+  if (shown && key != this->SkyKey)
+  {
+    this->SkyKey = key;
+    this->DrawSky();
+  }
+}
+
 void vtkBRDFSurfaceRepresentation::SetVisibility(bool visible)
 {
   this->Superclass::SetVisibility(visible);
   this->MatchParts();
+  this->UpdateSky();
 }
 
 bool vtkBRDFSurfaceRepresentation::AddToView(vtkView* view)
@@ -249,6 +320,7 @@ bool vtkBRDFSurfaceRepresentation::AddToView(vtkView* view)
   if (auto* ours = vtkPVRenderView::SafeDownCast(view))
   {
     this->Renderer = ours->GetRenderer();
+    this->Renderer->AddActor(this->Sky);
     for (const std::unique_ptr<Part>& part : this->Parts)
     {
       this->Renderer->AddActor(part->Actor);
@@ -265,6 +337,7 @@ bool vtkBRDFSurfaceRepresentation::RemoveFromView(vtkView* view)
     {
       this->Renderer->RemoveActor(part->Actor);
     }
+    this->Renderer->RemoveActor(this->Sky);
     this->Renderer = nullptr;
   }
   return this->Superclass::RemoveFromView(view);
@@ -279,6 +352,7 @@ int vtkBRDFSurfaceRepresentation::ProcessViewRequest(vtkInformationRequestKey* r
   {
     this->TakePiece(vtkPVView::GetDeliveredPiece(input, this));
     this->MatchParts();
+    this->UpdateSky();
   }
   return result;
 }

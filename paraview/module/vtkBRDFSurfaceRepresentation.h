@@ -2,15 +2,17 @@
 #define vtkBRDFSurfaceRepresentation_h
 #include "vtkBRDFParaViewModule.h" // For export macro
 #include "vtkGeometryRepresentationWithFaces.h"
-#include "vtkNew.h" // For vtkNew
-#include <memory>   // For std::unique_ptr
-#include <string>   // For std::string
-#include <vector>   // For std::vector
+#include "vtkNew.h"         // For vtkNew
+#include "vtkWeakPointer.h" // For vtkWeakPointer
+#include <memory>           // For std::unique_ptr
+#include <string>           // For std::string
+#include <vector>           // For std::vector
 
 class vtkBRDFEnvironment;
 class vtkBRDFPolyDataMapper;
 class vtkPolyData;
 class vtkRenderer;
+class vtkSkybox;
 
 /**
  * @class vtkBRDFSurfaceRepresentation
@@ -45,6 +47,12 @@ public:
   /** Whether the surroundings shine; default on. Off: only lights of the view do. */
   void SetUseEnvironment(bool use);
   bool GetUseEnvironment();
+  ///@}
+
+  ///@{
+  /** Whether the surroundings are drawn behind the view's objects, where they shine; default off. */
+  void SetShowEnvironment(bool show);
+  bool GetShowEnvironment() { return this->ShowEnvironment; }
   ///@}
 
   ///@{
@@ -86,11 +94,16 @@ private:
   void TakePiece(vtkDataObject* piece);
   void TakeSurfaces(const std::vector<vtkPolyData*>& surfaces);
   void MatchParts();
+  void UpdateSky();
+  void DrawSky();
 
   vtkNew<vtkBRDFPolyDataMapper> BRDFMapper; // of the first surface, and of what is the same for all
   vtkNew<vtkBRDFEnvironment> Environment;
   std::vector<std::unique_ptr<Part>> Parts;
-  vtkRenderer* Renderer = nullptr; // of the view, not owned
+  vtkWeakPointer<vtkRenderer> Renderer; // of the view
+  vtkNew<vtkSkybox> Sky;
+  bool ShowEnvironment = false;
+  std::string SkyKey; // what the sky's picture is of
   std::string EnvironmentFile;
   std::string ErrorText;
   vtkDataObject* Drawn = nullptr; // the piece that the mapper has, not owned: compared only

@@ -79,6 +79,11 @@ def draw():
     look_from(view, TASK["camera"])
     simple.Render(view)
     save(view, "sphere.png")
+    shown.ShowEnvironment = 1
+    shown.EnvironmentRotation = 70
+    save(view, "sky.png")
+    shown.ShowEnvironment = 0
+    shown.EnvironmentRotation = 0
 
     other = plain_view("lobe")
     simple.Show(lobe, other)
@@ -239,6 +244,8 @@ def blocks():
             save(view, "fewer.png")
             shown.Representation = "Wireframe"
             save(view, "wireframe.png")
+            group.Input, shown.Representation = pair, "BRDF under light"
+            simple.Render(view)  # to end with several
     result(blocks=blocks)
 
 

@@ -112,6 +112,7 @@ class Descriptions(unittest.TestCase):
         expected = {
             "EnvironmentFile": "",
             "UseEnvironment": 1,  # the representation has one of its own
+            "ShowEnvironment": 0,
             "EnvironmentRotation": environment.GetRotation(),
             "Exposure": mapper.GetExposure(),
             "EnvironmentSamples": mapper.GetNumberOfSamples(),

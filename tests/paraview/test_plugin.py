@@ -102,7 +102,7 @@ class Plugin(unittest.TestCase):
 
     @classmethod
     def render(cls):
-        """The sphere of the fit by our own renderer, as ParaView is to draw it."""
+        """The sphere of the fit by our own renderer, as ParaView is to draw it; and before surroundings that are turned."""
         light = brdflab.vtkBRDFEnvironment()
         assert light.ReadFile(cls.environment_map), light.GetErrorText()
         render = brdflab.vtkBRDFRender()
@@ -116,6 +116,12 @@ class Plugin(unittest.TestCase):
         tone_map.SetInputData(render.GetOutput())
         tone_map.Update()
         cls.sphere = brdflab.pixels(tone_map.GetOutput()).astype(int)
+        light.SetRotation(70)
+        render.SetBackground(0)
+        assert render.UpdateAndCheck(), render.GetPipelineErrorText()
+        tone_map.SetInputData(render.GetOutput())
+        tone_map.Update()
+        cls.sky = brdflab.pixels(tone_map.GetOutput()).astype(int)
         camera = render.GetActiveCamera()
         cls.camera = {
             "position": camera.GetPosition(),
@@ -161,6 +167,13 @@ class Plugin(unittest.TestCase):
         differences = np.abs(drawn - self.sphere)[inside]
         self.assertLessEqual(differences.max(), LEVELS, f"{(differences > LEVELS).mean():.3g} of the numbers differ")
         self.assertGreater(self.sphere[inside].std(), 20)
+        behind = np.hypot(x - SIZE[0] / 2, y - SIZE[1] / 2) > 0.5 * SIZE[1]
+        sky = picture(os.path.join(folder, "sky.png"))
+        self.assertEqual(drawn[behind].max(), 0)
+        self.assertGreater(self.sky[behind].std(), 10)
+        # Both interpolate, each in a picture of its own.
+        self.assertLess(np.abs(sky - self.sky)[behind].mean(), 1.5)
+        self.assertLessEqual(np.abs(sky - self.sky)[inside].max(), LEVELS)
         lobe = picture(os.path.join(folder, "lobe.png"))
         self.assertGreater((lobe.sum(axis=2) > 60).mean(), 0.02)
         return drawn
