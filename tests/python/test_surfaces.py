@@ -105,7 +105,7 @@ OTHERS = r'"[^"]*"|on\b|off\b|[A-Z]+_[A-Z_]+|[A-Z]{4,}\b'
 
 def stated_defaults(kind, text):
     """The values that a comment calls the default: "default 0.5", "MODE_INTERACTIVE (default)", "Empty by default"."""
-    texts = re.findall(rf"[Dd]efaults? ({NUMBERS}|{OTHERS})", text) + re.findall(rf"({NUMBER}|{OTHERS}) \((?:the )?default", text)
+    texts = re.findall(rf"[Dd]efaults? ({NUMBERS}|{OTHERS})", text) + re.findall(rf"({NUMBER}|{OTHERS}) (?:by |\((?:the )?)default", text)
     values = [""] * len(re.findall(r"[Ee]mpty (?:by |\(|\(the )default", text))
     for text in texts:
         if text.startswith('"'):
