@@ -275,8 +275,14 @@ WriteReport writeMeasured(const Brdf& brdf, const Components& components, const 
     report = writeFolder(chosen, brdf, path);
   } else {
     AtomicFile file(path);
-    report = whole ? chosen.writeMaterial(components.front ? &brdf : nullptr, components, file.temporaryPath())
-                   : chosen.write(brdf, file.temporaryPath());
+    try {
+      report = whole ? chosen.writeMaterial(components.front ? &brdf : nullptr, components, file.temporaryPath())
+                     : chosen.write(brdf, file.temporaryPath());
+    } catch (const Error& error) {  // the file that was asked for is spoken of
+      Error::Details details = error.details();
+      if (details.where == file.temporaryPath().string()) details.where = path.string();
+      throw Error(error.kind(), details);
+    }
     file.commit();
   }
   if (!whole) reportUnkept(components, {}, false, false, chosen.name, report);

@@ -51,8 +51,8 @@ WriteReport writeIntegra(const Brdf* front, const Components& components, const 
   const BrdfPointer transmitted = components.find(ComponentKind::FrontTransmission);
   const Brdf* brdf = kind == ComponentKind::FrontReflection ? front : transmitted.get();
   if (!brdf)
-    throw Error(Error::Kind::Value, {"the material has no such part", path.extension().string(),
-                                     std::string(componentName(kind)), ".ddr reflection, .ddt transmission"});
+    throw Error(Error::Kind::Value, {"the material has no such part", path.string(), std::string(componentName(kind)),
+                                     ".ddr reflection, .ddt transmission"});
   if (kind == ComponentKind::FrontTransmission && front)
     report.losses.push_back("front reflection: a .ddt file has no place for it");
   reportUnkept(components, {kind}, false, false, "integra", report);
@@ -109,8 +109,8 @@ WriteReport writeIntegraSpecular(const Brdf* front, const Components& components
       report.losses.push_back("specular " + std::string(componentName(part.kind)) + ": a file holds one component");
   if (!specular)
     throw Error(Error::Kind::Value,
-                {"the material has no such part", path.extension().string(),
-                 "specular " + std::string(componentName(kind)), ".sdr reflection, .sdt transmission"});
+                {"the material has no such part", path.string(), "specular " + std::string(componentName(kind)),
+                 ".sdr reflection, .sdt transmission"});
   if (front) report.losses.push_back("front reflection: the format holds specular fractions only");
   reportUnkept(components, {}, true, false, "integra-specular", report);
   const std::size_t count = specular->thetaI.size();

@@ -282,6 +282,16 @@ TEST(LightingFiles, WhatAFormatHasNoPlaceForIsALossOrAnError) {
   EXPECT_FALSE(fs::exists(dir / "a.ddt"));
 }
 
+TEST(LightingFiles, AnErrorOfAWriterNamesTheFileThatWasAskedFor) {
+  const auto dir = measuredtest::folder("lighting_named");
+  const auto four = readHandWritten("four.ssdd");
+  for (const char* name : {"a.ddt", "a.sdr", "a.pab"}) {
+    const std::string said = measuredtest::errorOf([&] { brdf::writeMeasured(*four.brdf, dir / name); });
+    EXPECT_TRUE(said.starts_with((dir / name).string() + ": ")) << said;
+    EXPECT_FALSE(fs::exists(dir / name));
+  }
+}
+
 TEST(LightingFiles, TextsOfAnyLineEndAndBlanksRead) {
   const auto dir = measuredtest::folder("lighting_text");
   for (const fs::path& file : files()) {
