@@ -84,7 +84,7 @@ std::shared_ptr<const GridBrdf> LobeSimulation::lobe() const {
     if (!polar && axis.quantity != AxisQuantity::PhiI) continue;
     axis.nodes.assign(1, polar ? bins_.thetaI() : bins_.phiI());
     axis.edges.clear();
-    if (polar && !layout.specularOffsets.empty()) layout.specularOffsets = {bins_.specularOffset()};
+    if (polar && !layout.specularOffsets.empty()) layout.specularOffsets.assign(1, bins_.specularOffset());
   }
   LobeGrid grid(layout, channels_);
   grid.set(tally_.reflected, bins_, tally_.rays, 0, 0);

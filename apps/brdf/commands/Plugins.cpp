@@ -67,7 +67,8 @@ const MaterialKind& findKind(const std::string& name) {
 /// The models of a kind, or the parameters of one of them.
 void runKind(const Output& output, const std::string& what) {
   const std::size_t colon = what.find(':');
-  const MaterialKind& kind = findKind(what.substr(0, colon));
+  const std::string name = what.substr(0, colon);
+  const MaterialKind& kind = findKind(name);
   const bool one = colon != std::string::npos;
   Json report = {{"name", kind.name}, {"title", kind.title}};
   output.line(kind.title);
