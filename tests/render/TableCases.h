@@ -54,7 +54,7 @@ inline BrdfPointer samplesOf(const brdf::Brdf& source, int uniform, int near = 0
 inline BrdfPointer scattered() { return samplesOf(*formula("(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.4)"), 2000); }
 
 inline BrdfPointer scatteredRetro() {
-  return samplesOf(*formula("0.1*Lambertian + 0.4*Lafortune(Cx=0.7, Cy=0.7, Cz=0.7, n=40)"), 1000, 1000, 0.4);
+  return samplesOf(*formula("0.1*Lambertian + Lafortune(Cx=1, Cy=1, Cz=1, n=40)"), 1000, 1000, 0.4);
 }
 
 inline BrdfPointer retro() { return brdf::TableBrdf::tabulate(brdf::test::retroReflector()); }

@@ -43,7 +43,7 @@ TEST_F(Render, AllWaysToDrawAgreeWithTheSumOverTheMap) {
     const BruteForce truth(map, 10, 200);
     for (const char* expression :
          {"(0.2,0.1,0.05)*Lambertian + GGX(alpha=0.3, ior=1.5)", "0.1*Lambertian + 0.5*Ward(ax=0.2, ay=0.5)",
-          "0.1*Lambertian + 0.4*Lafortune(Cx=0.6, Cy=0.6, Cz=0.6, n=20)"}) {
+          "0.1*Lambertian + Lafortune(Cx=1, Cy=1, Cz=1, n=40)"}) {
       render_->SetMode(vtkBRDFRender::MODE_INTERACTIVE);
       draw(expression);
       vtkNew<vtkImageData> filtered, error;
