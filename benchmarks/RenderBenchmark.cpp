@@ -1,7 +1,10 @@
 // Frames at 512 x 512 of a sphere by the shaders, and the same sums by a plain loop over pixels on one thread.
 #include <brdf/geometry/Directions.h>
 #include <brdf/io/EnvironmentMap.h>
+#include <brdf/io/LoadMaterial.h>
+#include <brdf/material/GridBrdf.h>
 #include <brdf/material/LobeSum.h>
+#include <brdf/material/Resample.h>
 #include <brdf/material/TableBrdf.h>
 #include <brdf/sampling/SampledBrdf.h>
 #include <brdf/sampling/Sequence.h>
@@ -29,6 +32,12 @@ BrdfPointer merl() {
   static const BrdfPointer table =
       TableBrdf::tabulate(*parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + (0.5,0.4,0.3)*GGX(alpha=0.1)"));
   return table;
+}
+
+/// Four axes, 5 degrees.
+BrdfPointer anisotropicTable() {
+  const BrdfPointer source = parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.2, alpha_y=0.4)");
+  return GridBrdf::tabulate(*source, gridFor(*source, Parametrisation::HalfDifference, 5));
 }
 
 /// A sphere drawn over and over, the picture read back; the first one, which compiles, is not measured. Processor time
@@ -123,5 +132,10 @@ DRAW(merl_point_light, merl(), 0);
 DRAW(merl_environment_100, merl(), 100);
 LOOP(merl_environment_100, merl(), 100);
 DRAW(merl_environment_4, merl(), 4);
+// What may not be turned about the normal is drawn, evaluated and weighed by the shader, sample by sample.
+DRAW(anisotropic_lobes_environment_100,
+     parseMaterialExpression("(0.3,0.2,0.1)*Lambertian + 0.5*GGX(alpha=0.1, alpha_y=0.4)"), 100);
+DRAW(anisotropic_table_environment_100, anisotropicTable(), 100);
+DRAW(openpbr_environment_100, loadMaterial("OpenPBR").brdf, 100);
 
 }  // namespace
