@@ -119,6 +119,21 @@ TEST(MeasuredSpectrum, RingsOfARandomSurfaceFollowItsSpectrum) {
   EXPECT_EQ(radial->psd(1e9, 0), 0);
 }
 
+TEST(MeasuredSpectrum, AutocovarianceOfRingsIsTheFourierTransform) {
+  // 2 pi integral of f PSD J0(2 pi f r), by Simpson's rule; the highest ring is at 2/um at most.
+  const SpectrumPointer radial = measuredSpectrum(
+      heightField("gaussian(rms=0.3, correlation=1, period=20, resolution=4)"), SpectrumWindow::None, true);
+  for (const double r : {0.0, 1e-9, 1e-4, 0.03, 0.2, 1.0, 2.7, 15.0}) {
+    const int steps = 200'000;
+    double sum = 0;
+    for (int k = 0; k <= steps; ++k) {
+      const double f = 2.5 * k / steps, weight = k == 0 || k == steps ? 1 : (k % 2 ? 4 : 2);
+      sum += weight * 2 * kPi * f * radial->psd(f, 0) * std::cyl_bessel_j(0, 2 * kPi * f * r);
+    }
+    EXPECT_NEAR(radial->autocovariance(0, r), sum * 2.5 / (3 * steps), 1e-6 * 0.09) << r;
+  }
+}
+
 TEST(MeasuredSpectrum, IsASpectrumThatExpressionsName) {
   const SpectrumPointer spectrum =
       makeSpectrum("measured(surface=gaussian(rms=0.3, correlation=4), average=none, window=none)");

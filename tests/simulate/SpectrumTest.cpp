@@ -31,6 +31,30 @@ TEST(Spectrum, VarianceIsTheIntegralOverThePlane) {
   }
 }
 
+TEST(Spectrum, AutocovarianceOfAFractalIsTheFourierTransform) {
+  // 2 pi integral of f PSD J0(2 pi f r), by Simpson's rule on a fine grid up to 400/um; beyond it the power law, by
+  // parts: its first term is -f^(1 - n) J1(2 pi f r) / (2 pi r).
+  for (const double exponent : {2.3, 3.7}) {
+    const SpectrumPointer spectrum = fractalSpectrum(0.02, exponent, 0.25);
+    for (const double r : {0.05, 0.4, 11.0}) {
+      const double end = 400;
+      const int steps = 192'000;  // the corner is between two parabolas
+      double sum = 0;
+      for (int k = 0; k <= steps; ++k) {
+        const double f = end * k / steps, weight = k == 0 || k == steps ? 1 : (k % 2 ? 4 : 2);
+        sum += weight * 2 * kPi * f * spectrum->psd(f, 0) * std::cyl_bessel_j(0, 2 * kPi * f * r);
+      }
+      sum *= end / (3.0 * steps);
+      sum -= 0.02 * std::pow(end, 1 - exponent) * std::cyl_bessel_j(1, 2 * kPi * end * r) / r;
+      EXPECT_NEAR(spectrum->autocovariance(r, 0), sum, 1e-6 * spectrum->variance()) << exponent << " " << r;
+    }
+    EXPECT_DOUBLE_EQ(spectrum->autocovariance(0, 0), spectrum->variance());
+    EXPECT_NEAR(spectrum->autocovariance(0, 1e-12), spectrum->variance(), 1e-3 * spectrum->variance());
+  }
+  EXPECT_THROW(fractalSpectrum(1, 3, 0)->autocovariance(1, 0), Error);
+  EXPECT_THROW(fractalSpectrum(1, 2, 1)->autocovariance(1, 0), Error);
+}
+
 TEST(Spectrum, AutocovarianceIsTheFourierTransform) {
   // The inverse transform, PSD(f) = 2 pi integral of C(r) J0(2 pi f r) r dr: here C falls exponentially.
   for (const char* text : {"abc(a=0.01, b=5, c=3)", "abc(a=2, b=0.4, c=4.5)", "gaussian(rms=0.2, correlation=3)"}) {
