@@ -1,5 +1,7 @@
 #include "vtkBRDFChannelAlgorithm.h"
 
+#include "vtkBRDFColourSettings.h"
+
 #include <brdf/view/ChannelChoice.h>
 
 brdf::ColourSettings vtkBRDFChannelAlgorithm::ChosenColours() const
@@ -17,9 +19,7 @@ brdf::ChannelChoice vtkBRDFChannelAlgorithm::ChosenChannels(vtkInformationVector
 void vtkBRDFChannelAlgorithm::CopyChannelSettings(vtkBRDFChannelAlgorithm* other)
 {
   this->SetChannel(other->Channel);
-  this->SetIlluminant(other->Illuminant);
-  this->SetObserver(other->Observer);
-  this->SetAdaptation(other->Adaptation);
+  vtkBRDFColourSettings::Copy(other, this);
 }
 
 void vtkBRDFChannelAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -1,5 +1,6 @@
 #include "vtkBRDFCurve.h"
 
+#include "vtkBRDFAngles.h"
 #include "vtkBRDFArrays.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -61,16 +62,7 @@ int vtkBRDFCurve::RequestData(vtkInformation*, vtkInformationVector** inputs, vt
     throw brdf::Error(brdf::Error::Kind::Value, { "unknown quantity", "curve", this->Quantity, "f, f_cos" });
   }
   const bool cosine = this->Quantity == "f_cos";
-  brdf::CurveOptions options;
-  options.angle = brdf::parseCurveAngle(this->Angle);
-  options.thetaI = brdf::radians(this->ThetaI);
-  options.phiI = brdf::radians(this->PhiI);
-  options.thetaO = brdf::radians(this->ThetaO);
-  options.phi = brdf::radians(this->Phi);
-  options.thetaH = brdf::radians(this->ThetaH);
-  options.phiH = brdf::radians(this->PhiH);
-  options.thetaD = brdf::radians(this->ThetaD);
-  options.phiD = brdf::radians(this->PhiD);
+  brdf::CurveOptions options = vtkBRDFAngles::CurveOptions(this, this->Angle);
   options.intervals = static_cast<std::size_t>(std::max(this->Intervals, 0));
   this->FixedAngles = brdf::fixedAngles(options);
   const brdf::ChannelChoice choice = this->ChosenChannels(inputs);

@@ -76,24 +76,31 @@ struct PlotSeries
   bool Points = false; ///< measurements
 };
 
-/** A line across the plot at a value of x, with a text. */
+/** A dashed line across the plot, with a text. */
 struct PlotMark
 {
-  double At;
+  double At; ///< a value of x, or of y
   std::string Text;
 };
 
-/** Draws series in a polar plot that fills a rectangle (x, y, width, height; pixels): see vtkBRDFPlotView's kinds
- * "half circle" and, where `full`, "circle". `text`: its size. */
-void AddPolarPlot(vtkRenderer* renderer,
-                  const std::vector<PlotSeries>& series,
-                  const PlotScale& scale,
-                  const std::vector<PlotMark>& references,
-                  const std::string& xTitle,
-                  const std::string& yTitle,
-                  bool full,
-                  int text,
-                  const double rectangle[4]);
+/** What vtkBRDFPlotView draws. */
+struct Plot
+{
+  std::vector<PlotSeries> Series;
+  PlotScale Scale;
+  double XLow, XHigh;
+  double XStep = 0;                 ///< degrees between ticks of x; 0: x is no angle
+  std::vector<PlotMark> References; ///< at values of x
+  std::vector<PlotMark> Levels;     ///< at values
+  std::string XTitle, YTitle;
+};
+
+/** Draws the cartesian plot, a vtkChartXY whose axes stand on the sides of a rectangle (x, y, width, height; pixels).
+ * `text`: the size of the text in pixels. */
+void AddCartesianPlot(vtkRenderer* renderer, const Plot& plot, int text, const double rectangle[4]);
+
+/** Draws the polar plot in a rectangle: see vtkBRDFPlotView's kinds "half circle" and, where `full`, "circle". */
+void AddPolarPlot(vtkRenderer* renderer, const Plot& plot, bool full, int text, const double rectangle[4]);
 }
 
 #endif

@@ -10,6 +10,11 @@
 class vtkAlgorithmOutput;
 class vtkTable;
 
+namespace vtkBRDFDrawing
+{
+struct Plot;
+}
+
 /**
  * @class vtkBRDFPlotView
  * @brief Curves of BRDFs, with measured points and their uncertainty, in a cartesian or a polar plot
@@ -109,10 +114,8 @@ private:
     vtkSmartPointer<vtkTable> Table, Points;
     std::string Name;
   };
-  struct Plot;
-  Plot Collect();
-  void AddLegend(const Plot& plot, int text, double width);
-  void AddChart(const Plot& plot, int text, const double rectangle[4]);
+  vtkBRDFDrawing::Plot Collect();
+  void AddLegend(const vtkBRDFDrawing::Plot& plot, int text, double width);
 
   std::vector<Input> Inputs;
   std::vector<std::pair<double, std::string>> References, Levels;

@@ -187,15 +187,7 @@ void AddMark(vtkRenderer* renderer, const Polar& polar, const PlotMark& mark, in
 }
 }
 
-void AddPolarPlot(vtkRenderer* renderer,
-                  const std::vector<PlotSeries>& series,
-                  const PlotScale& scale,
-                  const std::vector<PlotMark>& references,
-                  const std::string& xTitle,
-                  const std::string& yTitle,
-                  bool full,
-                  int text,
-                  const double rectangle[4])
+void AddPolarPlot(vtkRenderer* renderer, const Plot& plot, bool full, int text, const double rectangle[4])
 {
   Polar polar;
   polar.Full = full;
@@ -204,13 +196,13 @@ void AddPolarPlot(vtkRenderer* renderer,
   polar.Center = { rectangle[0] + rectangle[2] / 2,
                    full ? rectangle[1] + 4 * text + height / 2
                         : rectangle[1] + 3.6 * text + (height - polar.Radius) / 2 };
-  AddGrid(renderer, polar, scale, text);
-  for (const PlotSeries& one : series)
+  AddGrid(renderer, polar, plot.Scale, text);
+  for (const PlotSeries& one : plot.Series)
   {
-    AddSeries(renderer, polar, scale, one, text);
+    AddSeries(renderer, polar, plot.Scale, one, text);
   }
-  AddValues(renderer, polar, scale, yTitle + " over " + xTitle, text);
-  for (const PlotMark& mark : references)
+  AddValues(renderer, polar, plot.Scale, plot.YTitle + " over " + plot.XTitle, text);
+  for (const PlotMark& mark : plot.References)
   {
     AddMark(renderer, polar, mark, text);
   }

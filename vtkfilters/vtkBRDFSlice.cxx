@@ -1,6 +1,7 @@
 #include "vtkBRDFSlice.h"
 
 #include "vtkBRDF.h"
+#include "vtkBRDFAngles.h"
 #include "vtkBRDFArrays.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -129,16 +130,7 @@ vtkBRDFSlice::Result vtkBRDFSlice::Compute(vtkInformationVector** inputs)
       throw brdf::Error(brdf::Error::Kind::Value,
                         { "a slice over the wavelength", "axes", brdf->description(), "spectral data" });
     }
-    brdf::CurveOptions options;
-    options.angle = brdf::parseCurveAngle(result.AxisNames[0]);
-    options.thetaI = brdf::radians(this->ThetaI);
-    options.phiI = brdf::radians(this->PhiI);
-    options.thetaO = brdf::radians(this->ThetaO);
-    options.phi = brdf::radians(this->Phi);
-    options.thetaH = brdf::radians(this->ThetaH);
-    options.phiH = brdf::radians(this->PhiH);
-    options.thetaD = brdf::radians(this->ThetaD);
-    options.phiD = brdf::radians(this->PhiD);
+    const brdf::CurveOptions options = vtkBRDFAngles::CurveOptions(this, result.AxisNames[0]);
     this->FixedAngles = brdf::fixedAngles(options);
     brdf::Curve curve = AngleCurve(*brdf, options, static_cast<std::size_t>(std::max(this->Cells[0], 0)));
     result.X = InDegrees(curve.angle);

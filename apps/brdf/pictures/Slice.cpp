@@ -154,40 +154,68 @@ SliceResult finishPlot(vtkBRDFPlotView* view, const SlicePicture& request, const
   return result;
 }
 
+/// A filter for each material, set by `set`: its first table among the curves of a view, its second one, where it has
+/// two names, as their points.
+template <class Filter>
+struct Tables {
+  std::vector<vtkSmartPointer<Filter>> filters;
+  std::vector<NamedTable> named;
+  std::vector<SliceResult::Series> series;
+
+  template <class Set>
+  Tables(const SlicePicture& request, vtkBRDFPlotView* view, const std::vector<const char*>& names, const Set& set) {
+    for (std::size_t k = 0; k < request.materials.size(); ++k) {
+      const auto filter = filters.emplace_back(vtkSmartPointer<Filter>::New());
+      filter->SetInputData(pipelineMaterial(request.materials[k], request.assumptions));
+      set(filter.Get());
+      updateOrThrow(filter);
+      view->AddInputConnection(filter->GetOutputPort(0), nameOf(request, k));
+      if (names.size() > 1) view->AddPointsConnection(filter->GetOutputPort(1));
+      for (std::size_t port = 0; port < names.size(); ++port)
+        named.push_back({request.materials[k], names[port], table(k, static_cast<int>(port))});
+      describe(table(k), series.emplace_back(SliceResult::Series{request.materials[k], {}}));
+    }
+  }
+  vtkTable* table(std::size_t k, int port = 0) const {
+    return vtkTable::SafeDownCast(filters[k]->GetOutputDataObject(port));
+  }
+  /// Of the first column of all tables.
+  SliceResult::Axis axis(const std::string& name, const std::string& unit) const {
+    return axisOf(name, unit, vtkDataArray::SafeDownCast(table(0)->GetColumn(0)));
+  }
+};
+
 SliceResult drawCurves(const SlicePicture& request) {
   const bool polar = request.kind == "polar", cosine = request.quantity == "f_cos";
   const std::string& over = request.over;
   vtkNew<vtkBRDFPlotView> view;
-  std::vector<vtkSmartPointer<vtkBRDFCurve>> curves;
-  std::vector<NamedTable> tables;
-  SliceResult result;
-  result.quantity = cosine ? "f_r cos(theta_o) (1/sr)" : "f_r (1/sr)";
-  for (std::size_t k = 0; k < request.materials.size(); ++k) {
-    const auto curve = curves.emplace_back(vtkSmartPointer<vtkBRDFCurve>::New());
-    curve->SetInputData(pipelineMaterial(request.materials[k], request.assumptions));
+  const Tables<vtkBRDFCurve> curves(request, view, {"curve", "sample"}, [&](vtkBRDFCurve* curve) {
     curve->SetAngle(over);
-    setAngles(curve.Get(), request);
+    setAngles(curve, request);
     curve->SetChannel(request.channel);
-    setColours(curve.Get(), request.colours);
+    setColours(curve, request.colours);
     curve->SetQuantity(request.quantity);
     curve->SetSampleTolerance(request.within);
     if (request.resolution > 0) curve->SetIntervals(static_cast<int>(request.resolution));
-    updateOrThrow(curve);
-    view->AddInputConnection(curve->GetOutputPort(0), nameOf(request, k));
-    view->AddPointsConnection(curve->GetOutputPort(1));
-    tables.push_back({request.materials[k], "curve", curve->GetOutput(0)});
-    tables.push_back({request.materials[k], "sample", curve->GetOutput(1)});
-    SliceResult::Series series{request.materials[k], curve->GetChannelLabel()};
-    describe(curve->GetOutput(0), series);
+  });
+  SliceResult result;
+  result.quantity = cosine ? "f_r cos(theta_o) (1/sr)" : "f_r (1/sr)";
+  result.series = curves.series;
+  result.fixed = curves.filters[0]->GetFixedAngles();
+  result.axes.push_back(curves.axis(over, "deg"));
+  bool samples = false, beyond = false;
+  for (std::size_t k = 0; k < curves.filters.size(); ++k) {
+    vtkBRDFCurve* curve = curves.filters[k];
+    SliceResult::Series& series = result.series[k];
+    series.channel = curve->GetChannelLabel();
     for (int state = 0; state < 4; ++state)
       series.counts.emplace_back(kStates[static_cast<std::size_t>(state)],
                                  static_cast<std::size_t>(curve->GetNumberOfPoints(state)));
-    series.counts.emplace_back("samples", static_cast<std::size_t>(curve->GetOutput(1)->GetNumberOfRows()));
+    series.counts.emplace_back("samples", static_cast<std::size_t>(curves.table(k, 1)->GetNumberOfRows()));
     series.counts.emplace_back("samples_left_out", static_cast<std::size_t>(curve->GetNumberOfSamplesLeftOut()));
-    result.series.push_back(series);
+    samples = samples || curves.table(k, 1)->GetNumberOfRows() > 0;
+    beyond = beyond || curve->GetNumberOfPoints(2) > 0;
   }
-  result.fixed = curves[0]->GetFixedAngles();
-  result.axes.push_back(axisOf(over, "deg", vtkDataArray::SafeDownCast(curves[0]->GetOutput(0)->GetColumn(0))));
 
   const bool azimuth = over == "phi" || over == "phi_d";
   view->SetXStep(azimuth ? 45 : 15);
@@ -197,10 +225,6 @@ SliceResult drawCurves(const SlicePicture& request) {
                  (over == "phi" ? std::string("phi_o - phi_i") : over));
   if (polar) view->SetKind(azimuth ? "circle" : "half circle");
   std::string note = result.series[0].channel + "; " + result.fixed;
-  const bool samples =
-      std::any_of(curves.begin(), curves.end(), [](auto& curve) { return curve->GetOutput(1)->GetNumberOfRows() > 0; });
-  const bool beyond =
-      std::any_of(curves.begin(), curves.end(), [](auto& curve) { return curve->GetNumberOfPoints(2) > 0; });
   if (beyond) note += "; pale: filled or extrapolated";
   if (samples) note += "; dots: samples within " + formatNumber(request.within) + " deg";
   view->SetNote(note);
@@ -208,29 +232,25 @@ SliceResult drawCurves(const SlicePicture& request) {
     view->AddReference(request.thetaI, "mirror");
     view->AddReference(-request.thetaI, "light");
   }
-  return finishPlot(view, request, tables, result);
+  return finishPlot(view, request, curves.named, result);
 }
 
 SliceResult drawAlbedo(const SlicePicture& request) {
   vtkNew<vtkBRDFPlotView> view;
-  std::vector<vtkSmartPointer<vtkBRDFAlbedo>> albedos;
-  std::vector<NamedTable> tables;
-  SliceResult result;
-  result.quantity = "directional-hemispherical albedo";
-  for (std::size_t k = 0; k < request.materials.size(); ++k) {
-    const auto albedo = albedos.emplace_back(vtkSmartPointer<vtkBRDFAlbedo>::New());
-    albedo->SetInputData(pipelineMaterial(request.materials[k], request.assumptions));
+  const Tables<vtkBRDFAlbedo> albedos(request, view, {"albedo"}, [&](vtkBRDFAlbedo* albedo) {
     albedo->SetChannel(request.channel);
-    setColours(albedo.Get(), request.colours);
+    setColours(albedo, request.colours);
     albedo->SetPhiI(request.phiI);
     albedo->SetPoints(static_cast<int>(request.points));
     if (request.resolution > 0) albedo->SetIntervals(static_cast<int>(request.resolution));
-    updateOrThrow(albedo);
-    view->AddInputConnection(albedo->GetOutputPort(), nameOf(request, k));
-    vtkTable* table = albedo->GetOutput();
-    tables.push_back({request.materials[k], "albedo", table});
-    SliceResult::Series series{request.materials[k], albedo->GetChannelLabel()};
-    describe(table, series);
+  });
+  SliceResult result;
+  result.quantity = "directional-hemispherical albedo";
+  result.series = albedos.series;
+  for (std::size_t k = 0; k < albedos.filters.size(); ++k) {
+    vtkTable* table = albedos.table(k);
+    SliceResult::Series& series = result.series[k];
+    series.channel = albedos.filters[k]->GetChannelLabel();
     series.albedo = numbers(table->GetFieldData(), "bihemispherical");
     series.albedoError = numbers(table->GetFieldData(), "standard error of bihemispherical");
     for (const std::string& channel : series.channels) {
@@ -238,9 +258,8 @@ SliceResult drawAlbedo(const SlicePicture& request) {
       for (vtkIdType row = 0; row < errors->GetNumberOfTuples(); ++row)
         series.largestError = std::max(series.largestError, errors->GetTuple1(row));
     }
-    result.series.push_back(series);
   }
-  result.axes.push_back(axisOf("theta_i", "deg", vtkDataArray::SafeDownCast(albedos[0]->GetOutput()->GetColumn(0))));
+  result.axes.push_back(albedos.axis("theta_i", "deg"));
   result.fixed = "phi_i = " + formatNumber(request.phiI) + " deg";
   view->SetXStep(15);
   view->SetXTitle("angle of the light from the normal, theta_i (degrees)");
@@ -249,34 +268,26 @@ SliceResult drawAlbedo(const SlicePicture& request) {
   view->SetNote(result.series[0].channel + "; " + result.fixed +
                 "; \u00b1 and bands: 1 standard error of the quadrature");
   view->AddLevel(1, "all light");
-  return finishPlot(view, request, tables, result);
+  return finishPlot(view, request, albedos.named, result);
 }
 
 SliceResult drawSpectrum(const SlicePicture& request) {
   vtkNew<vtkBRDFPlotView> view;
-  std::vector<vtkSmartPointer<vtkBRDFSpectrum>> spectra;
-  std::vector<NamedTable> tables;
-  SliceResult result;
-  result.quantity = "f_r (1/sr)";
-  for (std::size_t k = 0; k < request.materials.size(); ++k) {
-    const auto spectrum = spectra.emplace_back(vtkSmartPointer<vtkBRDFSpectrum>::New());
-    spectrum->SetInputData(pipelineMaterial(request.materials[k], request.assumptions));
+  const Tables<vtkBRDFSpectrum> spectra(request, view, {"spectrum"}, [&](vtkBRDFSpectrum* spectrum) {
     for (const auto& [thetaI, phiI, thetaO, phiO] : request.directions)
       spectrum->AddDirections(thetaI, phiI, thetaO, phiO);
-    updateOrThrow(spectrum);
-    view->AddInputConnection(spectrum->GetOutputPort(), nameOf(request, k));
-    tables.push_back({request.materials[k], "spectrum", spectrum->GetOutput()});
-    SliceResult::Series series{request.materials[k], "all wavelengths"};
-    describe(spectrum->GetOutput(), series);
-    result.series.push_back(series);
-  }
-  result.axes.push_back(axisOf("wavelength", "nm", vtkDataArray::SafeDownCast(spectra[0]->GetOutput()->GetColumn(0))));
+  });
+  SliceResult result;
+  result.quantity = "f_r (1/sr)";
+  result.series = spectra.series;
+  for (SliceResult::Series& series : result.series) series.channel = "all wavelengths";
+  result.axes.push_back(spectra.axis("wavelength", "nm"));
   result.fixed = joined(result.series[0].channels, "; ");
   view->SetXTitle("wavelength (nm)");
   view->SetYTitle("f_r (1/sr)");
   view->SetTitle("f_r over the wavelength");
   view->SetNote(result.series[0].channels.size() == 1 ? result.fixed : "directions: theta, phi");
-  return finishPlot(view, request, tables, result);
+  return finishPlot(view, request, spectra.named, result);
 }
 
 SliceResult drawHoles(const SlicePicture& request) {
