@@ -48,7 +48,7 @@ Case recoveryCase(const ModelPointer& model, int place) {
   std::string values;
   for (std::size_t j = 0; j < dimension; ++j) {
     const ShapeCoordinate& coordinate = problem.coordinates()[j];
-    const Parameter& parameter = model->parameters()[coordinate.parameters.front()];
+    const Parameter& parameter = model->parameters()[coordinate.parameters.front().parameter];
     const double place01 = 0.5 + place * std::pow(phi, -static_cast<double>(j + 1));
     const double part = 0.15 + 0.7 * (place01 - std::floor(place01));
     const auto at = [&](double fraction) {
@@ -73,7 +73,7 @@ Case recoveryCase(const ModelPointer& model, int place) {
   judgeParameters(one);
   for (const auto& [name, value] : one.truth) {
     const auto coordinate = std::ranges::find_if(problem.coordinates(), [&](const ShapeCoordinate& c) {
-      return model->parameters()[c.parameters.front()].name == name;
+      return model->parameters()[c.parameters.front().parameter].name == name;
     });
     const double change = 0.01 * (coordinate->softUpper - coordinate->softLower);
     one.tolerance.push_back(coordinate->logarithmic ? value * std::expm1(change) : change);
