@@ -247,6 +247,8 @@ int vtkBRDFGonioreflectometer::RequestData(vtkInformation*,
   brdf::LayoutChoice choice;
   if (this->Progressive)
   {
+    // An update is so many rays, in as much time whatever the facets.
+    options.transport.nextEvent = brdf::NextEvent::Off;
     this->Advance(surface, source, request, options, result, choice);
   }
   else

@@ -2,6 +2,8 @@
 #include "vtkBRDFDeviceThread.h"
 #include "vtkBRDFTransportDevice.h"
 
+#include <brdf/base/Error.h>
+
 #include <memory>
 
 namespace
@@ -12,6 +14,11 @@ public:
   GpuTransport(const brdf::Microsurface& surface, const brdf::TransportOptions& options)
     : Scene(surface, options.bounces)
   {
+    if (options.nextEvent == brdf::NextEvent::On)
+    {
+      throw brdf::Error(brdf::Error::Kind::Value,
+                        { "no next-event estimation on the graphics device", "backend", "gpu", "cpu, or off" });
+    }
     this->Thread.Run([this] { this->Device = std::make_unique<vtkBRDFTransportDevice>(this->Scene); });
   }
   ~GpuTransport() override

@@ -41,13 +41,17 @@ double errorOf(const LobeSimulation& lobe, const GonioreflectometerOptions& opti
   return worst;
 }
 
+constexpr std::uint64_t kConnectedRays = 1 << 10;  ///< enough for their errors, which all bins share
+
 /// Rays to add next: as many as the error asks for, but no more than make progress visible.
 std::uint64_t nextRays(const LobeSimulation& lobe, double error, const GonioreflectometerOptions& options) {
-  constexpr std::uint64_t most = 1 << 18;
+  // Rays that are connected with every bin are costly, and few are enough.
+  const bool connects = lobe.connects();
+  const std::uint64_t least = connects ? 256 : 4096, most = connects ? 1 << 13 : 1 << 18;
   const std::uint64_t rays = lobe.tally().rays, left = options.maximumRays - rays;
-  if (rays == 0) return std::min(options.minimumRays, left);
+  if (rays == 0) return std::min(connects ? std::min(options.minimumRays, kConnectedRays) : options.minimumRays, left);
   const double ratio = error / options.tolerance;
-  const double wanted = std::clamp(static_cast<double>(rays) * (ratio * ratio * 1.05 - 1), 4096.0, double(most));
+  const double wanted = std::clamp(static_cast<double>(rays) * (ratio * ratio * 1.05 - 1), double(least), double(most));
   return std::min(static_cast<std::uint64_t>(wanted), left);
 }
 
@@ -90,7 +94,11 @@ bool reachesTolerance(const LobeSimulation& lobe, const GonioreflectometerOption
 GonioreflectometerResult simulateBrdf(const Microsurface& surface, const GonioreflectometerOptions& options) {
   checkOptions(options);
   const auto start = std::chrono::steady_clock::now();
-  const std::shared_ptr<Transport> transport = makeTransport(options.backend, surface, options.transport);
+  TransportOptions transportOptions = options.transport;
+  // It does nothing for the shares that leave.
+  if (options.toleranceOf == ToleranceOf::Albedo && transportOptions.nextEvent == NextEvent::Automatic)
+    transportOptions.nextEvent = NextEvent::Off;
+  const std::shared_ptr<Transport> transport = makeTransport(options.backend, surface, transportOptions);
   const GridLayout& layout = options.layout;
   const GridAxis& thetas = layout.axes[layout.find(Q::ThetaI)];
   const std::size_t phiAxis = layout.find(Q::PhiI);
@@ -127,7 +135,7 @@ GonioreflectometerResult simulateBrdf(const Microsurface& surface, const Goniore
       balance.phiI = azimuths[a];
       balance.converged = reachesTolerance(*lobe, options);
       result.balance.push_back(std::move(balance));
-      reflected.set(lobe->tally().reflected, lobe->bins(), lobe->tally().rays, t, a);
+      reflected.set(lobe->reflected(), lobe->bins(), lobe->tally().rays, t, a);
       transmitted.set(lobe->tally().transmitted, lobe->bins(), lobe->tally().rays, t, a);
       anyTransmitted =
           anyTransmitted || std::ranges::any_of(lobe->tally().transmitted.sum, [](double sum) { return sum > 0; });
@@ -144,6 +152,7 @@ GonioreflectometerResult simulateBrdf(const Microsurface& surface, const Goniore
               azimuths.size(), &EnergyBalance::specularReflected);
   addSpecular(result.components, ComponentKind::FrontTransmission, surface.channels, result.balance, thetas,
               azimuths.size(), &EnergyBalance::specularTransmitted);
+  result.connects = transport->connects();
   result.complete = progress.done == progress.directions;
   result.converged = result.complete && std::ranges::all_of(result.balance, &EnergyBalance::converged);
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

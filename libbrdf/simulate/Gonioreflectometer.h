@@ -45,7 +45,11 @@ class BRDF_EXPORT LobeSimulation {
   void add(std::uint64_t rays);
 
   const OutgoingBins& bins() const { return bins_; }
+  bool connects() const { return transport_->connects(); }
   const Tally& tally() const { return tally_; }
+  const RaySums& reflected() const {
+    return transport_->connects() ? balanced_ : tally_.reflected;
+  }  ///< Tally::balanced()
   /// Of one bin and channel: f_r in 1/sr, the light that left into the bin over its projected solid angle.
   Estimate value(std::size_t channel, std::size_t bin) const;
   /// The same for transmitted light.
@@ -65,6 +69,7 @@ class BRDF_EXPORT LobeSimulation {
   OutgoingBins bins_;
   std::uint64_t seed_;
   Tally tally_;
+  RaySums balanced_;
 };
 
 struct GonioreflectometerProgress {
@@ -81,9 +86,9 @@ struct GonioreflectometerOptions {
   ToleranceOf toleranceOf = ToleranceOf::Bins;
   /// Rays are added to an incident direction until its standard error is at most this, more than 0.
   double tolerance = 0.05;
-  std::uint64_t minimumRays = 1 << 14;  ///< an incident direction
+  std::uint64_t minimumRays = 1 << 14;  ///< an incident direction; at most 1024 with next-event estimation
   std::uint64_t maximumRays = 1 << 24;  ///< an incident direction; reached before the tolerance: not converged
-  TransportOptions transport{};
+  TransportOptions transport{.nextEvent = NextEvent::Automatic};
   std::uint64_t seed = 1;  ///< the same seed gives the same table, whatever the threads
   std::string backend = "cpu";
   /// Called from time to time; false stops, keeping the directions that are done.
@@ -101,6 +106,7 @@ struct GonioreflectometerResult {
   std::vector<EnergyBalance> balance;  ///< of the directions that are done
   std::uint64_t rays = 0, segments = 0;
   double seconds = 0;
+  bool connects = false;   ///< next-event estimation was used
   bool complete = false;   ///< every direction was done
   bool converged = false;  ///< every one of them to the tolerance
 };

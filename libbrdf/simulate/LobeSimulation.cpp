@@ -37,15 +37,17 @@ LobeSimulation::LobeSimulation(std::shared_ptr<Transport> transport, const Chann
       layout_(layout),
       bins_(layout, thetaI, phiI),
       seed_(seed),
-      tally_(bins_.count(), channels.count()) {}
+      tally_(bins_.count(), channels.count()),
+      balanced_(tally_.reflected) {}
 
 void LobeSimulation::add(std::uint64_t rays) {
   const bool turning = layout_.find(AxisQuantity::PhiI) == layout_.axes.size();
   transport_->trace({turning, seed_, tally_.rays, rays}, bins_, tally_);
+  if (transport_->connects()) balanced_ = tally_.balanced();
 }
 
 Estimate LobeSimulation::value(std::size_t channel, std::size_t bin) const {
-  return lobeValue(tally_.reflected, bins_, tally_.rays, channel, bin);
+  return lobeValue(reflected(), bins_, tally_.rays, channel, bin);
 }
 
 Estimate LobeSimulation::transmission(std::size_t channel, std::size_t bin) const {
@@ -54,7 +56,7 @@ Estimate LobeSimulation::transmission(std::size_t channel, std::size_t bin) cons
 
 double LobeSimulation::noise() const {
   if (tally_.rays == 0) return std::numeric_limits<double>::infinity();
-  const RaySums& sums = holdsAny(tally_.reflected) ? tally_.reflected : tally_.transmitted;
+  const RaySums& sums = holdsAny(reflected()) ? reflected() : tally_.transmitted;
   return noiseOf(sums, bins_, tally_.rays, channels_.count());
 }
 
@@ -87,7 +89,7 @@ std::shared_ptr<const GridBrdf> LobeSimulation::lobe() const {
     if (polar && !layout.specularOffsets.empty()) layout.specularOffsets.assign(1, bins_.specularOffset());
   }
   LobeGrid grid(layout, channels_);
-  grid.set(tally_.reflected, bins_, tally_.rays, 0, 0);
+  grid.set(reflected(), bins_, tally_.rays, 0, 0);
   return std::make_shared<GridBrdf>(std::move(grid.data), "simulated lobe");
 }
 

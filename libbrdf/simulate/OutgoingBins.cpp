@@ -70,6 +70,7 @@ OutgoingBins::OutgoingBins(const GridLayout& layout, double thetaI, double phiI,
       measures_[p * polar_.stride + a * azimuth_.stride] =
           measure(polar_.edges[p], polar_.edges[p + 1], azimuth_.edges[a], azimuth_.edges[a + 1]) *
           (folded_ ? 2 : std::round(2 * kPi / period_));
+  for (const double edge : polar_.edges) cosines_.push_back(std::cos(edge));
   // From here on polar edges are what find() compares: no trigonometry a ray.
   for (double& edge : polar_.edges) {
     const double root = std::sin(specular_ ? edge / 2 : edge);
@@ -140,6 +141,28 @@ std::size_t OutgoingBins::find(const Direction& wo) const {
 std::array<double, 2> OutgoingBins::coordinates(const Direction& wo) const {
   const auto [polar, phi] = place(wo);
   return {std::asin(std::sqrt(std::min(polar, 1.0))) * (specular_ ? 2 : 1), phi};
+}
+
+double OutgoingBins::solidAngle(std::size_t bin) const {
+  const std::size_t p = ring(bin), a = bin / azimuth_.stride % (azimuth_.edges.size() - 1);
+  return (cosines_[p] - cosines_[p + 1]) * (azimuth_.edges[a + 1] - azimuth_.edges[a]) *
+         (folded_ ? 2 : std::round(2 * kPi / period_));
+}
+
+Direction OutgoingBins::direction(std::size_t bin, double u, double v, double image) const {
+  const std::size_t p = ring(bin), a = bin / azimuth_.stride % (azimuth_.edges.size() - 1);
+  double phi = std::lerp(azimuth_.edges[a], azimuth_.edges[a + 1], v);
+  if (folded_)
+    phi = image < 0.5 ? phi : -phi;
+  else
+    phi += period_ * std::floor(image * std::round(2 * kPi / period_));
+  const double z = std::lerp(cosines_[p], cosines_[p + 1], u), s = std::sqrt(std::max(1 - z * z, 0.0));
+  const double x = s * std::cos(specular_ ? phi : phi + reference_),
+               y = s * std::sin(specular_ ? phi : phi + reference_);
+  if (!specular_) return {x, y, z};
+  Direction wo;
+  for (std::size_t k = 0; k < 3; ++k) wo[k] = x * towardsNormal_[k] + y * across_[k] + z * pole_[k];
+  return wo;
 }
 
 double OutgoingBins::measure(double polar0, double polar1, double azimuth0, double azimuth1) const {

@@ -31,6 +31,12 @@ class BRDF_EXPORT OutgoingBins {
   /// layout's symmetry folds onto it are one. They sum to pi where the axes reach everywhere.
   const std::vector<double>& projectedSolidAngles() const { return measures_; }
 
+  /// A direction that is uniform in solid angle within a bin, for u and v uniform in [0, 1) and `image` in [0, 1),
+  /// which chooses among the mirror images that are folded onto the bin; it may be below the horizon.
+  Direction direction(std::size_t bin, double u, double v, double image) const;
+  /// Of a bin and its mirror images, the parts below the horizon included, sr.
+  double solidAngle(std::size_t bin) const;
+
   /// Rings of bins about the pole (the normal, or the mirror direction), and the one that a bin belongs to.
   std::size_t rings() const { return polar_.edges.size() - 1; }
   std::size_t ring(std::size_t bin) const { return bin / polar_.stride % rings(); }
@@ -61,6 +67,7 @@ class BRDF_EXPORT OutgoingBins {
   double poleTheta_ = 0;                       ///< specular: of the mirror direction
   Direction pole_, towardsNormal_, across_{};  ///< specular: it, and the axes of azimuth 0 and 90 degrees
   Axis polar_, azimuth_;
+  std::vector<double> cosines_;  ///< of the edges of the polar angle
   std::size_t count_ = 1;
   std::vector<double> measures_;
 };

@@ -28,7 +28,40 @@ void Tally::add(const Tally& other) {
   reflected.add(other.reflected);
   transmitted.add(other.transmitted);
   outcomes.add(other.outcomes);
+  if (!other.excessTimesReflected.empty()) {
+    prepareExcess();
+    excess.add(other.excess);
+    for (std::size_t k = 0; k < excessTimesReflected.size(); ++k)
+      excessTimesReflected[k] += other.excessTimesReflected[k];
+  }
   departures.insert(departures.end(), other.departures.begin(), other.departures.end());
+}
+
+void Tally::prepareExcess() {
+  if (!excessTimesReflected.empty()) return;
+  excess = RaySums(channels);
+  excessTimesReflected.assign(reflected.sum.size(), 0.0);
+}
+
+RaySums Tally::balanced() const {
+  RaySums sums = reflected;
+  if (excessTimesReflected.empty()) return sums;
+  for (std::size_t c = 0; c < channels; ++c) {
+    double all = 0, product = 0;
+    for (std::size_t e = c * bins; e < (c + 1) * bins; ++e) {
+      all += reflected.sum[e];
+      product += excessTimesReflected[e];
+    }
+    if (!(all > 0 && excess.square[c] > 0)) continue;
+    // What makes the sum of the bins least uncertain; at most the whole excess, so that no bin becomes negative.
+    const double part = std::clamp(-product / excess.square[c], 0.0, 1.0);
+    for (std::size_t e = c * bins; e < (c + 1) * bins; ++e) {
+      const double share = part * reflected.sum[e] / all;
+      sums.sum[e] += share * excess.sum[c];
+      sums.square[e] += share * (2 * excessTimesReflected[e] + share * excess.square[c]);
+    }
+  }
+  return sums;
 }
 
 }  // namespace brdf

@@ -56,7 +56,12 @@ struct Tally {
   std::uint64_t segments = 0;      ///< ray-geometry queries that were made: the cost
   RaySums reflected, transmitted;  ///< by bin, planar: channel c of bin b at [c * bins + b]
   RaySums outcomes;                ///< Outcome o of channel c at [o * channels + c]
-  bool listsDepartures = false;    ///< whether every piece of light that is put into a bin is listed as well
+  /// Next-event estimation (Transport::connects()): of each channel what its paths carried away from facets that were
+  /// connected less what the connections put into bins, whose mean is 0; and the sums over rays of this times what the
+  /// ray brought into each bin, as `reflected`. Else empty.
+  RaySums excess;
+  std::vector<double> excessTimesReflected;
+  bool listsDepartures = false;  ///< whether every piece of light that is put into a bin is listed as well
   std::vector<Departure> departures;
 
   Tally() = default;
@@ -69,6 +74,11 @@ struct Tally {
 
   /// Adds other rays of the same direction.
   BRDF_EXPORT void add(const Tally& other);
+  void prepareExcess();
+  /// The light in bins: `reflected`, with the excess, where there is one, or a part of it shared out among the bins of
+  /// its channel by what they hold. A control variate: the sum of bins that err together is then known as well as what
+  /// paths carried.
+  BRDF_EXPORT RaySums balanced() const;
   Estimate outcome(Outcome outcome, std::size_t channel) const {
     return outcomes.mean(static_cast<std::size_t>(outcome) * channels + channel, rays);
   }

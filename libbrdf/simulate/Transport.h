@@ -39,11 +39,25 @@ class BRDF_EXPORT Transport {
   /// Adds the batch's rays, from bins.wi(), to a tally of bins.count() bins and as many channels as the surface has,
   /// and lists departures where the tally does. One call at a time. Throws Error::Kind::Device where a device fails.
   virtual void trace(const RayBatch& batch, const OutgoingBins& bins, Tally& tally) = 0;
+  /// Whether facets are connected with the bins (NextEvent).
+  virtual bool connects() const { return false; }
+};
+
+/// Next-event estimation: where light meets a facet that is `lambertian`, one direction of every bin, at random within
+/// it, gets what the facet sends there if nothing is in the way; what the path itself carries away from there is then
+/// in no bin (of reflected light), as it would count twice. Means are the same. A ray costs about as many queries as
+/// there are bins above each facet that it meets, and its bins err together: errors of bins are those of many rays
+/// fewer.
+enum class NextEvent {
+  Off,
+  On,        ///< throws Error::Kind::Value where a facet is a dielectric, or the backend cannot
+  Automatic  ///< where every facet is `lambertian`, and the backend can
 };
 
 struct TransportOptions {
   /// Meetings with facets after which what a ray still carries counts as lost, 1 to 1'000'000.
   std::size_t bounces = 1000;
+  NextEvent nextEvent = NextEvent::Off;
 };
 
 /// A backend by its name ("cpu"; "gpu" where the program has registered it).

@@ -25,7 +25,7 @@ struct Values {
   std::string surface, out;
   std::vector<std::string> facets;
   std::string thetaI = "0,15,30,45,60,75", phiI;
-  std::string bins = "auto", toleranceOf = "bins", backend = "cpu";
+  std::string bins = "auto", toleranceOf = "bins", backend = "cpu", nextEvent = "auto";
   double resolution = 5, tolerance = 0.05;
   std::size_t rays = 1 << 24, bounces = 1000, seed = 1;
 };
@@ -146,6 +146,9 @@ void run(const Output& output, const Values& values) {
   options.maximumRays = values.rays;
   options.minimumRays = std::min<std::uint64_t>(options.minimumRays, values.rays);
   options.transport.bounces = values.bounces;
+  options.transport.nextEvent = values.nextEvent == "on"    ? NextEvent::On
+                                : values.nextEvent == "off" ? NextEvent::Off
+                                                            : NextEvent::Automatic;
   options.seed = values.seed;
   options.backend = values.backend;
   if (values.backend != "cpu") pictures();  // the module that knows OpenGL, and its backend
@@ -193,6 +196,7 @@ void run(const Output& output, const Values& values) {
                  {"backend", values.backend},
                  {"layout", choice.layout.text()},
                  {"layout_reason", choice.reason},
+                 {"next_event", result.connects},
                  {"tolerance", values.tolerance},
                  {"tolerance_of", values.toleranceOf},
                  {"rays", result.rays},
@@ -252,6 +256,9 @@ Command simulateCommand() {
         arguments.option("--rays", values->rays, {2, 1e15}, "Most rays for one incident direction");
         arguments.option("--bounces", values->bounces, {1, 1e6},
                          "After so many facets the rest of a ray counts as lost");
+        arguments.choice("--next-event", values->nextEvent, {"auto", "on", "off"},
+                         "Connect every meeting with a lambertian facet with every bin: fewer, costlier rays; auto: "
+                         "where all facets are lambertian; not with dielectrics, nor with --backend gpu");
         arguments.option("--seed", values->seed, {0, 1e12}, "The same seed gives the same table");
         arguments.option("--backend", values->backend, "NAME", "cpu (Embree, all threads) or gpu (OpenGL 3.2) [cpu]");
         arguments.option("--out", values->out, "FILE", "table.vtkhdf, or any format that holds a table");

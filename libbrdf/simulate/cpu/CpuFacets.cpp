@@ -141,6 +141,33 @@ void CpuTransport::scatter(PathGroup& group, std::size_t facet) const {
   group.atFacet.resize(first);
 }
 
+void CpuTransport::connect(PathGroup& group, std::size_t p) const {
+  LightPath& path = group.paths[p];
+  const OutgoingBins& bins = *group.bins;
+  const std::size_t count = bins.count();
+  const double* weight = group.weight(p);
+  double* light = group.light.data() + path.owner * channels_ * count;
+  double* excess = group.excess.data() + path.owner * channels_;
+  const double c = group.turns[2 * path.owner], s = group.turns[2 * path.owner + 1];
+  const double u = path.random.next(), v = path.random.next(), image = path.random.next();
+  Meeting meeting;
+  double distance;
+  for (std::size_t b = 0; b < count; ++b) {
+    const Direction wo = bins.direction(b, u, v, image);
+    DoubleRay ray;
+    ray.direction = {c * wo[0] - s * wo[1], s * wo[0] + c * wo[1], wo[2]};  // about the turned surface
+    const double cosine = dot(ray.direction, path.meeting.normal);
+    if (!(wo[2] > 0 && cosine > 0)) continue;
+    TileScene::leave(ray, path.meeting);
+    if (scene_.follow(ray, path.media, meeting, distance, group.queries) != TileScene::End::Above) continue;
+    const double share = cosine / kPi * bins.solidAngle(b);
+    for (std::size_t channel = 0; channel < channels_; ++channel) {
+      light[channel * count + b] += weight[channel] * share;
+      excess[channel] -= weight[channel] * share;
+    }
+  }
+}
+
 void CpuTransport::tallyGroup(PathGroup& group, std::size_t rays, const OutgoingBins& bins, Tally& tally) const {
   constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   const auto entry = [&](Outcome outcome) {
@@ -180,6 +207,10 @@ void CpuTransport::tallyGroup(PathGroup& group, std::size_t rays, const Outgoing
         tally.departures.push_back({path.ray.direction,
                                     std::accumulate(weight, weight + channels_, 0.0) / static_cast<double>(channels_),
                                     !above});
+      if (above && path.connected) {
+        for (std::size_t c = 0; c < channels_; ++c) group.excess[k * channels_ + c] += weight[c];
+        continue;
+      }
       const auto same = std::find_if(arrivals.begin(), arrivals.begin() + arrived,
                                      [&](const Arrival& a) { return a.bin == bin && a.above == above; });
       if (same == arrivals.begin() + arrived) {
@@ -192,7 +223,22 @@ void CpuTransport::tallyGroup(PathGroup& group, std::size_t rays, const Outgoing
     for (std::size_t a = 0; a < arrived; ++a) {
       RaySums& sums = arrivals[a].above ? tally.reflected : tally.transmitted;
       const double* weight = group.weight(arrivals[a].path);
-      for (std::size_t c = 0; c < channels_; ++c) sums.add(c * tally.bins + arrivals[a].bin, weight[c]);
+      for (std::size_t c = 0; c < channels_; ++c) {
+        if (connects_ && arrivals[a].above)
+          group.light[(k * channels_ + c) * tally.bins + arrivals[a].bin] += weight[c];
+        else
+          sums.add(c * tally.bins + arrivals[a].bin, weight[c]);
+      }
+    }
+    for (std::size_t c = 0; connects_ && c < channels_; ++c) {
+      const double excess = group.excess[k * channels_ + c];
+      const double* light = group.light.data() + (k * channels_ + c) * tally.bins;
+      tally.excess.add(c, excess);
+      for (std::size_t b = 0; b < tally.bins; ++b) {
+        if (light[b] == 0) continue;
+        tally.reflected.add(c * tally.bins + b, light[b]);
+        tally.excessTimesReflected[c * tally.bins + b] += light[b] * excess;
+      }
     }
     for (const Outcome part : {Outcome::Reflected, Outcome::Transmitted, Outcome::Absorbed, Outcome::Lost})
       for (std::size_t c = 0; c < channels_; ++c) entry(Outcome::Sum)[c] += entry(part)[c];

@@ -1,3 +1,4 @@
+#include <brdf/base/Error.h>
 #include <brdf/base/Parallel.h>
 #include <brdf/sampling/SampledBrdf.h>
 #include <brdf/sampling/Sequence.h>
@@ -62,6 +63,12 @@ CpuTransport::CpuTransport(const Microsurface& surface, const TransportOptions& 
     }
     dispersive_ = dispersive_ || prepared.dispersive;
   }
+  const auto count = [&](Facet::Kind kind) { return std::ranges::count(surface.facets, kind, &Facet::kind); };
+  if (options.nextEvent == NextEvent::On && count(Facet::Kind::Dielectric) > 0)
+    throw Error(Error::Kind::Value, {"light inside a dielectric cannot be connected with directions outside",
+                                     "next-event estimation", "on", "off or automatic, or facets that are opaque"});
+  connects_ = options.nextEvent == NextEvent::On || (options.nextEvent == NextEvent::Automatic &&
+                                                     count(Facet::Kind::Lambertian) == std::ssize(surface.facets));
 }
 
 CpuTransport::~CpuTransport() = default;
@@ -72,7 +79,10 @@ double CpuTransport::index(int medium, std::size_t channel) const {
 
 void CpuTransport::trace(const RayBatch& batch, const OutgoingBins& bins, Tally& tally) {
   const std::size_t bytes = (tally.reflected.sum.size() * 4 + tally.outcomes.sum.size() * 2) * sizeof(double);
-  const std::size_t groups = (batch.count + PathGroup::kRays - 1) / PathGroup::kRays;
+  const std::size_t groupRays =
+      !connects_ ? PathGroup::kRays
+                 : std::clamp<std::size_t>((std::size_t{1} << 18) / (bins.count() * channels_), 1, PathGroup::kRays);
+  const std::size_t groups = (batch.count + groupRays - 1) / groupRays;
   const std::size_t strands = std::clamp<std::size_t>(kStrandBytes / std::max<std::size_t>(bytes, 1), 1,
                                                       std::min(kStrands, std::max<std::size_t>(groups, 1)));
   Tally empty(tally.bins, tally.channels);
@@ -82,9 +92,9 @@ void CpuTransport::trace(const RayBatch& batch, const OutgoingBins& bins, Tally&
     PathGroup group(channels_);
     for (std::size_t strand = from; strand < to; ++strand)
       for (std::size_t g = strand; g < groups; g += strands) {
-        const std::uint64_t start = g * PathGroup::kRays;
-        traceGroup(batch, bins, batch.first + start, std::min<std::uint64_t>(PathGroup::kRays, batch.count - start),
-                   group, parts[strand]);
+        const std::uint64_t start = g * groupRays;
+        traceGroup(batch, bins, batch.first + start, std::min<std::uint64_t>(groupRays, batch.count - start), group,
+                   parts[strand]);
       }
   });
   for (const Tally& part : parts) tally.add(part);
@@ -101,6 +111,12 @@ void CpuTransport::traceGroup(const RayBatch& batch, const OutgoingBins& bins, s
   group.waiting.clear();
   std::fill_n(group.weights.begin(), count * channels_, 1.0);
   std::fill_n(group.absorbed.begin(), count * channels_, 0.0);
+  group.bins = &bins;
+  if (connects_) {
+    group.light.assign(count * channels_ * bins.count(), 0.0);
+    group.excess.assign(count * channels_, 0.0);
+    tally.prepareExcess();
+  }
   for (std::size_t k = 0; k < count; ++k) {
     LightPath& path = group.paths[k] = LightPath();
     path.random = PathRandom(mixed(batch.seed * 0x9e3779b97f4a7c15u) + (first + k) * 0xd1342543de82ef95u);
@@ -221,9 +237,11 @@ bool CpuTransport::interact(PathGroup& group, std::size_t p) const {
   const double cosine = std::min(std::abs(along), 1.0);
   switch (facet.kind) {
     case Facet::Kind::Mirror:
+      path.connected = false;
       path.ray.direction = mirrored(path.ray.direction, meeting.normal, along);
       break;
     case Facet::Kind::Conductor: {
+      path.connected = false;
       const int medium = path.media.current();
       for (std::size_t c = 0; c < channels_; ++c) {
         const double outside = index(medium, c);
@@ -241,6 +259,8 @@ bool CpuTransport::interact(PathGroup& group, std::size_t p) const {
         absorbed[c] += weight[c] * (1 - facet.first[c]);
         weight[c] *= facet.first[c];
       }
+      if (connects_) connect(group, p);
+      path.connected = connects_;
       const double u = path.random.next(), v = path.random.next();
       path.ray.direction = FacetFrame(meeting.normal).world(cosineDirection(u, v));
       break;

@@ -21,6 +21,8 @@ class CpuTransport : public Transport {
 
   void trace(const RayBatch& batch, const OutgoingBins& bins, Tally& tally) override;
 
+  bool connects() const override { return connects_; }
+
   const TileScene& scene() const { return scene_; }
 
  private:
@@ -39,6 +41,8 @@ class CpuTransport : public Transport {
   bool interact(PathGroup& group, std::size_t path) const;
   void meetDielectric(PathGroup& group, std::size_t path, bool front, double cosine) const;
   void absorbAlong(PathGroup& group, std::size_t path, double distance) const;
+  /// What a Lambertian facet, whose share of the path is in the weights already, sends to every bin.
+  void connect(PathGroup& group, std::size_t path) const;
   void scatter(PathGroup& group, std::size_t facet) const;
   bool survives(PathGroup& group, std::size_t path) const;
   void tallyGroup(PathGroup& group, std::size_t rays, const OutgoingBins& bins, Tally& tally) const;
@@ -48,7 +52,7 @@ class CpuTransport : public Transport {
   TileScene scene_;
   std::vector<PreparedFacet> facets_;
   std::size_t channels_, bounces_;
-  bool dispersive_ = false;
+  bool dispersive_ = false, connects_ = false;
 };
 
 }  // namespace brdf

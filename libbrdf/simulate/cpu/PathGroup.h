@@ -2,6 +2,7 @@
 // Paths that are traced together, so that facets with a BRDF are evaluated in batches. Internal to libbrdf/simulate.
 #include <brdf/material/Brdf.h>
 #include <brdf/sampling/PathRandom.h>
+#include <brdf/simulate/OutgoingBins.h>
 #include <brdf/simulate/Tally.h>
 #include <brdf/simulate/cpu/TileScene.h>
 
@@ -43,6 +44,7 @@ struct LightPath {
   State state = State::Travelling;
   bool mirrorLike = true;           ///< met mirrors, conductors and dielectrics only
   Outcome outcome = Outcome::Lost;  ///< Ended
+  bool connected = false;           ///< what leaves from the last facet met is in the bins already
   bool specular = false;            ///< Ended: left as a flat surface would send it
 };
 
@@ -75,6 +77,11 @@ struct PathGroup {
   std::vector<double> totals, fresnel, refracted;   ///< scratch: of one ray, of one meeting
   Direction incident{};                             ///< the way light travels, before the surface is turned
   std::uint64_t queries = 0;
+
+  // Of facets that are connected with the bins.
+  const OutgoingBins* bins = nullptr;
+  std::vector<double> excess;  ///< Tally::excess, by ray, then channel
+  std::vector<double> light;   ///< in the bins, by ray, then channel, then bin: to be squared when the ray is complete
 
   // Of a batch of scatterings, one entry a path.
   DirectionPairBuffer<double> pairs;
