@@ -5,9 +5,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <optional>
+#include <thread>
 #include <utility>
+
+#ifdef __linux__
+#include <sched.h>
+#include <stdlib.h>
+#include <unistd.h>
+#endif
 
 namespace scatmech {
 namespace {
@@ -119,6 +127,32 @@ auto translated(Body&& body) {
   }
 }
 
+/// Calls `body` with a working directory of its own, which is deleted afterwards: some models write files when they set
+/// themselves up (T-matrix scatterers shape.dat), over any of that name. Linux gives a thread its own directory without
+/// moving the others; elsewhere, and where there is no temporary folder, `body` is called as it is.
+template <class Body>
+void inScratchFolder(Body&& body) {
+#ifdef __linux__
+  std::error_code ignored;
+  std::string folder = (std::filesystem::temp_directory_path(ignored) / "brdflab-scatmech-XXXXXX").string();
+  if (!ignored && mkdtemp(folder.data())) {
+    std::exception_ptr failure;
+    std::thread([&] {
+      try {
+        if (unshare(CLONE_FS) != 0 || chdir(folder.c_str()) != 0) throw Failure("no working directory", folder);
+        body();
+      } catch (...) {
+        failure = std::current_exception();
+      }
+    }).join();
+    std::filesystem::remove_all(folder, ignored);
+    if (failure) std::rethrow_exception(failure);
+    return;
+  }
+#endif
+  body();
+}
+
 }  // namespace
 
 std::mutex& inside() {
@@ -135,6 +169,7 @@ std::vector<ModelFacts> allModels() {
 
 struct Model::Implementation {
   std::unique_ptr<SCATMECH::BRDF_Model> model;
+  bool ready = false;  ///< set up, since a parameter was changed
 };
 
 Model::Model(const std::string& name) : implementation_(std::make_unique<Implementation>()) {
@@ -161,18 +196,30 @@ std::vector<ParameterFacts> Model::parameters() const {
 void Model::set(const std::string& parameter, const std::string& text) {
   translated([&] {
     checkText(findParameter(*implementation_->model, parameter), text);
-    implementation_->model->set_parameter(parameter, text);
+    // Files keep their meaning whatever the working directory is when they are read.
+    std::error_code ignored;
+    const bool file = std::filesystem::is_regular_file(text, ignored);
+    implementation_->ready = false;
+    implementation_->model->set_parameter(parameter, file ? std::filesystem::absolute(text).string() : text);
   });
 }
 
-void Model::setWavelength(double micrometres) { implementation_->model->set_lambda(micrometres); }
+void Model::setWavelength(double micrometres) {
+  implementation_->ready = false;
+  implementation_->model->set_lambda(micrometres);
+}
 
 void Model::mueller(double thetaI, double thetaS, double phiS, double rotation, double* m) {
-  translated([&] {
+  const auto ask = [&] {
     const SCATMECH::MuellerMatrix mueller =
         implementation_->model->Mueller(thetaI, thetaS, phiS, rotation, SCATMECH::BRDF_Model::psps);
     for (int row = 0; row < 4; ++row)
       for (int column = 0; column < 4; ++column) m[4 * row + column] = mueller[row][column];
+  };
+  translated([&] {
+    if (implementation_->ready) return ask();
+    inScratchFolder(ask);
+    implementation_->ready = true;
   });
 }
 

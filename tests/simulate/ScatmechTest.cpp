@@ -1,6 +1,7 @@
 // The plugin of the SCATMECH library, where it was found: every row of ../shared/reference/wave_models.csv, which
 // SCATMECH made, comes out of scatmech:... again; and what SCATMECH would pass over in silence is refused.
 #include "../CsvFields.h"
+#include "../TestFolder.h"
 
 #include <brdf/base/Error.h>
 #include <brdf/base/File.h>
@@ -179,3 +180,24 @@ TEST_F(Scatmech, SeveralThreadsGetTheSameValuesAsOne) {
   EXPECT_EQ(again[0], ofA);
   EXPECT_EQ(again[1], ofB);
 }
+
+#ifdef __linux__
+TEST_F(Scatmech, TheWorkingDirectoryIsLeftAlone) {
+  // T-matrix scatterers write shape.dat when they are set up, over any that is there; files are still found in it.
+  const std::filesystem::path before = std::filesystem::current_path(), folder = testFolder("cwd");
+  std::filesystem::current_path(folder);
+  writeFile("shape.dat", "mine");
+  writeFile("glass.txt", "0.4 1.5 0\n0.6 1.5 0\n");
+  const auto value = [](const std::string& substrate) {
+    return loadMaterial("scatmech:Double_Interaction_BRDF_Model(scatterer=TMatrix_Axisymmetric_Scatterer, substrate=" +
+                        substrate + ")")
+        .brdf->evaluate(fromSpherical(0.5, 0), fromSpherical(0.6, 2))[0];
+  };
+  const double fromFile = value("glass.txt"), fromNumber = value("(1.5,0)");
+  std::filesystem::current_path(before);
+  EXPECT_GT(fromFile, 0);
+  EXPECT_NEAR(fromFile / fromNumber, 1, 1e-9);
+  EXPECT_EQ(readFile(folder / "shape.dat"), "mine");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder), {}), 2);
+}
+#endif
