@@ -1,9 +1,8 @@
 // Tables and scattered data under environment light against the plain sum over all texels: converging mode, interactive
 // mode and the reference renderer, pixel by pixel within their standard errors.
 #include "BruteForce.h"
+#include "ReferenceSphere.h"
 #include "TableCases.h"
-
-#include <brdf/render/ReferenceRenderer.h>
 
 namespace {
 
@@ -65,19 +64,6 @@ class TableTruth : public Render, public testing::WithParamInterface<rendertest:
     return double(static_cast<const float*>(render_->GetStandardError()->GetScalarPointer(x, y, 0))[1]);
   }
 
-  brdf::ReferencePicture reference(const brdf::EnvironmentMap& map) const {
-    brdf::Scene scene;
-    scene.materials = {brdf_};
-    scene.objects.push_back({"sphere", nullptr, {}, 0});
-    scene.environment = brdf::SceneEnvironment{std::make_shared<const brdf::EnvironmentMap>(map), 200, 1};
-    scene.camera = brdf::cameraAround({0, 0, 0}, 1, 0, 0, 30, 1);
-    scene.width = scene.height = kSize;
-    brdf::ReferenceOptions options;
-    options.samples = 1024;
-    options.pixelCentres = true;
-    return brdf::renderReference(scene, options);
-  }
-
   BrdfPointer brdf_;
   BrdfPointer drawn_;  ///< what the shader looks up
 };
@@ -98,7 +84,7 @@ TEST_P(TableTruth, ConvergingModeAndTheReferenceAreTheSumOverTheMapWithinTheirSt
     environment_->SetMap(map);
     render_->Update();
     ASSERT_EQ(render_->GetErrorText(), "");
-    const brdf::ReferencePicture traced = reference(map);
+    const brdf::ReferencePicture traced = rendertest::referenceSphere(brdf_, map, kSize);
     const BruteForce truth(map, static_cast<int>(640 / map.width()), 200);
     Scores converging, tracing;
     for (const auto& [x, y, hit] : places()) {

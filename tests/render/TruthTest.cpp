@@ -1,8 +1,7 @@
 // All ways to draw environment light against the plain sum over all texels: isotropic, anisotropic and retro-reflective
 // materials under a smooth map and under one bright texel.
 #include "BruteForce.h"
-
-#include <brdf/render/ReferenceRenderer.h>
+#include "ReferenceSphere.h"
 
 namespace {
 
@@ -11,20 +10,6 @@ using rendertest::Render;
 using rendertest::Rgb;
 
 constexpr int kSize = 12;
-
-brdf::ReferencePicture reference(const std::shared_ptr<const brdf::LobeSum>& material,
-                                 const brdf::EnvironmentMap& map) {
-  brdf::Scene scene;
-  scene.materials = {material};
-  scene.objects.push_back({"sphere", nullptr, {}, 0});
-  scene.environment = brdf::SceneEnvironment{std::make_shared<const brdf::EnvironmentMap>(map), 200, 1};
-  scene.camera = brdf::cameraAround({0, 0, 0}, 1, 0, 0, 30, 1);
-  scene.width = scene.height = kSize;
-  brdf::ReferenceOptions options;
-  options.samples = 1024;
-  options.pixelCentres = true;
-  return brdf::renderReference(scene, options);
-}
 
 }  // namespace
 
@@ -51,7 +36,7 @@ TEST_F(Render, AllWaysToDrawAgreeWithTheSumOverTheMap) {
       render_->SetMode(vtkBRDFRender::MODE_CONVERGING);
       render_->Update();
       error->DeepCopy(render_->GetStandardError());
-      const brdf::ReferencePicture traced = reference(material_, map);
+      const brdf::ReferencePicture traced = rendertest::referenceSphere(material_, map, kSize);
       double biased = 0, square = 0, converging = 0, tracing = 0, count = 0;
       for (int y = 1; y < kSize; y += 2)
         for (int x = 1; x < kSize; x += 2) {
