@@ -75,8 +75,8 @@ public:
   ///@}
 
   ///@{
-  /** Bins: "spherical" (theta_o by azimuth, as wide as Resolution), "specular" or "retro" (about the mirror direction, or
-   * the one back to the light, narrow where a pilot run finds peaks), or "auto" (default: whichever flattens peaks
+  /** Bins: "spherical" (theta_o by azimuth, as wide as Resolution), "specular" or "retro" (about the mirror direction,
+   * or the one back to the light, narrow where a pilot run finds peaks), or "auto" (default: whichever flattens peaks
    * least). */
   vtkSetMacro(Bins, std::string);
   vtkGetMacro(Bins, std::string);

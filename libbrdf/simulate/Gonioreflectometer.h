@@ -89,7 +89,7 @@ struct GonioreflectometerOptions {
   std::uint64_t minimumRays = 1 << 14;  ///< an incident direction; at most 1024 with next-event estimation
   std::uint64_t maximumRays = 1 << 24;  ///< an incident direction; reached before the tolerance: not converged
   TransportOptions transport{.nextEvent = NextEvent::Automatic};
-  std::uint64_t seed = 1;  ///< the same seed gives the same table, whatever the threads
+  std::uint64_t seed = 1;  ///< the same seed gives the same table but for rounding, whatever the threads
   std::string backend = "cpu";
   /// Called from time to time; false stops, keeping the directions that are done.
   std::function<bool(const GonioreflectometerProgress&)> progress{};

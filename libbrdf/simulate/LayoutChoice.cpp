@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 
 namespace brdf {
 namespace {
@@ -19,7 +21,9 @@ constexpr std::size_t kMostOutgoing = std::size_t{1} << 16, kMostCells = std::si
 constexpr double kAsGood = 0.7;  ///< of the best one's square, with which a layout that is cut less is taken
 constexpr std::size_t kLightsCompared = 24;
 constexpr std::uint64_t kFewestPilotRays = 1 << 10, kMostPilotRays = 1 << 15;
-constexpr double kNoLight = 1e-3;  ///< of what arrives: less is not looked at
+constexpr double kSameDirection = 1e-6;  ///< differences of coordinates by rounding
+constexpr double kExactShare = 0.01;     ///< of the light in one direction that makes it an exact one
+constexpr double kNoLight = 1e-3;        ///< of what arrives: less is not looked at
 
 /// The light of one incident direction that left on one side.
 struct PilotLight {
@@ -39,6 +43,26 @@ struct Family {
     return static_cast<double>((polar.size() - 1) * (azimuth.size() - 1)) / static_cast<double>(uniform);
   }
 };
+
+/// Drops directions that many rays leave in exactly: of flat mirrors that face one way. They have no width that bins
+/// could show; in bins as narrow as rounding allows, nothing that looks the table up or integrates it would find them.
+void dropExact(PilotLight& light) {
+  const auto key = [](const Direction& direction) {
+    std::array<std::int64_t, 3> cell{};
+    for (std::size_t k = 0; k < 3; ++k) cell[k] = std::llround(direction[k] / kSameDirection);
+    return cell;
+  };
+  std::map<std::array<std::int64_t, 3>, double> shares;
+  for (std::size_t k = 0; k < light.directions.size(); ++k) shares[key(light.directions[k])] += light.shares[k];
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < light.directions.size(); ++k)
+    if (shares[key(light.directions[k])] < kExactShare) {
+      light.directions[kept] = light.directions[k];
+      light.shares[kept++] = light.shares[k];
+    }
+  light.directions.resize(kept);
+  light.shares.resize(kept);
+}
 
 std::vector<PilotLight> pilotRun(Transport& transport, std::size_t channels, const LayoutRequest& request) {
   GridLayout whole{Parametrisation::Spherical, {{Q::ThetaI, request.thetaI}}};
@@ -66,6 +90,8 @@ std::vector<PilotLight> pilotRun(Transport& transport, std::size_t channels, con
         }
         if (!(all > kNoLight * static_cast<double>(rays))) continue;
         for (double& share : light.shares) share /= all;
+        dropExact(light);
+        if (light.directions.empty()) continue;
         lights.push_back(std::move(light));
       }
     }
@@ -235,8 +261,9 @@ LayoutChoice chooseLayout(Transport& transport, std::size_t channels, const Layo
   Family spherical = familyOf(Bins::Spherical, request);
   cutPeaks(spherical, lights, request);
   if (!spherical.cut)
-    return {layoutOf(spherical, request),
-            lights.empty() ? "the pilot run sent nothing into bins" : "no peak is narrower than such bins show"};
+    return {layoutOf(spherical, request), lights.empty()
+                                              ? "the pilot run found no light, or light in single directions only"
+                                              : "no peak is narrower than such bins show"};
   std::vector<Family> families{familyOf(Bins::Specular, request), familyOf(Bins::Retro, request)};
   for (Family& family : families) cutPeaks(family, lights, request);
   families.push_back(std::move(spherical));
