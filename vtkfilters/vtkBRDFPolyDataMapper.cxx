@@ -189,8 +189,10 @@ void vtkBRDFPolyDataMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
   const bool defers = this->DeferShading && !actor->HasTranslucentPolygonalGeometry() && !renderer->GetSelector() &&
                       vtkBRDFDeferredShading::Possible();
   const bool tangents = !defers || this->Material->Text().NeedsTangents();
-  if (defers != this->Defers || tangents != this->Tangents)
+  const int shadows = this->Shadows ? this->Shadows->Kind(this->Environment != nullptr) : 0;
+  if (defers != this->Defers || tangents != this->Tangents || shadows != this->ShadowKind)
   {
+    this->ShadowKind = shadows;
     this->Defers = defers;
     this->Tangents = tangents;
     this->StepsTime.Modified();
@@ -201,7 +203,8 @@ void vtkBRDFPolyDataMapper::Draw(vtkRenderer* renderer, vtkActor* actor)
     return;
   }
   if (!this->Deferred->IsBuilt(window) ||
-      this->LightingTime < std::max(this->GetMTime(), this->Material->StructureTime().GetMTime()))
+      this->LightingTime <
+        std::max({ this->GetMTime(), this->StepsTime.GetMTime(), this->Material->StructureTime().GetMTime() }))
   {
     this->NumberOfShaderBuilds += this->Deferred->Build(window, this->LightingText());
     this->LightingTime.Modified();

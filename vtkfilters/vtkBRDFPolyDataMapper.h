@@ -259,6 +259,7 @@ private:
   std::unique_ptr<vtkBRDFDeferredShading> Deferred;
   bool Defers = false;       // the drawing at hand is in two steps
   bool Tangents = false;     // it needs them
+  int ShadowKind = 0;        // of its shadows, 0 for none
   vtkTimeStamp StepsTime;    // when one of these last changed
   vtkTimeStamp LightingTime; // of the text that Deferred was last given
   vtkBRDFEnvironment* Environment = nullptr;

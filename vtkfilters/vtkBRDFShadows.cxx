@@ -92,6 +92,6 @@ void vtkBRDFShadows::SetUniforms(vtkShaderProgram* program)
 
 std::string vtkBRDFShadows::Text(bool environment) const
 {
-  return std::string("#define BRDF_SHADOWS ") + (environment && this->Mask.cells > 0 ? "2" : "1") + "\n" +
+  return "#define BRDF_SHADOWS " + std::to_string(this->Kind(environment)) + "\n" +
          std::string(vtkBRDFShaderText::File("brdf_shadows.glsl"));
 }

@@ -32,7 +32,9 @@ public:
   void SetUniforms(vtkShaderProgram* program);
   void Deactivate() { this->Texture->Deactivate(); }
 
-  // Text of the shader; `environment`: that there is one.
+  // Text of the shader, after the first Cast; `environment`: that there is one. It differs with Kind: 1 where the
+  // lights besides the environment cast shadows, 2 where the environment does too.
+  int Kind(bool environment) const { return environment && this->Mask.cells > 0 ? 2 : 1; }
   std::string Text(bool environment) const;
 
 private:

@@ -179,6 +179,29 @@ TEST_F(SceneRenderTest, ShadowsOfTheEnvironmentComeNearTheReferences) {
   RecordProperty("32", std::to_string(fine));
 }
 
+TEST_F(SceneRenderTest, KindsOfShadowsInTurnShowWhatEachShowsAlone) {
+  brdf::Scene scene = shadowedScene();
+  scene.lights = {{brdf::SceneLight::Kind::Directional, {0.7, 0.6, 0.3}, {3, 2, 1}}};
+  scene.environment = brdf::SceneEnvironment{
+      std::make_shared<const brdf::EnvironmentMap>(brdf::EnvironmentMap::constant({1, 1, 1})), 0, 1};
+  scene.width = 45;
+  scene.height = 30;
+  const auto picture = [&](vtkBRDFRender* render, int shadows) {
+    render->SetShadows(shadows);
+    render->Update();
+    const auto* values = static_cast<const float*>(render->GetOutput()->GetScalarPointer());
+    return std::vector<float>(values, values + 3 * scene.width * scene.height);
+  };
+  render_->SetScene(scene);
+  for (const int shadows : {vtkBRDFRender::SHADOWS_ALL, vtkBRDFRender::SHADOWS_LIGHTS, vtkBRDFRender::SHADOWS_ALL,
+                            vtkBRDFRender::SHADOWS_NONE, vtkBRDFRender::SHADOWS_LIGHTS}) {
+    vtkNew<vtkBRDFRender> alone;
+    alone->SetEdgeSamples(1);
+    alone->SetScene(scene);
+    EXPECT_EQ(picture(render_, shadows), picture(alone, shadows)) << shadows;
+  }
+}
+
 TEST_F(SceneRenderTest, ALoneSphereIsTheSameWithShadows) {
   render_->SetEnvironment(environment_);
   draw("0.5*Lambertian + 0.3*GGX");
